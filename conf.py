@@ -18,8 +18,8 @@ html_title = "rosspin"
 copyright = "the rosspin contributors. The texts are CC BY 4.0, after a page by Paul N. Beuchat, 2023"
 
 extensions = ["myst_nb", "rosspin.site.pages", "rosspin.site.live", "rosspin.site.slides"]
-extensions += ["rosspin.site.times", "rosspin.site.paths", "sphinx.ext.autodoc", "sphinx_copybutton", "sphinx_design"]
-extensions += ["notfound.extension", "rosspin.site.published"]
+extensions += ["rosspin.site.times", "rosspin.site.paths", "rosspin.site.exercise_pages", "sphinx.ext.autodoc"]
+extensions += ["sphinx_copybutton", "sphinx_design", "notfound.extension", "rosspin.site.published"]
 include_patterns = ["index.rst", "docs/**.rst", "notebooks/*.md"]
 exclude_patterns = [".venv", "build"]  # not walked through in search of pages
 

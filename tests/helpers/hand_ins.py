@@ -19,6 +19,7 @@ from playwright.sync_api import BrowserContext, Locator, Page, Route, expect
 TEACHERS = "docs/for-teachers.html"
 
 EXERCISES = "notebooks/exercises.html"
+EXERCISE = "exercises/first-ticks.html"
 
 RIGHT = CELLS["first-ticks"][1].source
 

@@ -72,8 +72,9 @@ class Cell:
         return self.console.locator(".of-tick").all_text_contents()
 
 
-def exercise(page: Page, name: str) -> Cell:
-    """The cell of an exercise."""
+def open_exercise(page: Page, address: str, name: str, anchor: str = "") -> Cell:
+    """Open the page of an exercise. The cell of its answer."""
+    page.goto(f"{address}exercises/{name}.html{anchor}")
     return Cell(page, 0, f"div.live:has([aria-label='Run answer {name}'])")
 
 

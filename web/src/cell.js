@@ -29,11 +29,13 @@ const BY_CTRL_C = 130
 
 /** @typedef {import("./kept.js").Keeping} Keeping */
 
-/** @type {import("./store.js").Answer[]} what is kept of the exercises of the page */
-const exercises = []
+/** @type {Set<string>} the exercises of the page, and of the list that they are on */
+const exercises = new Set()
+
+const isSolved = (/** @type {string} */ name) => window.rosspinStore?.of(name).wasSolved === true
 
 /** How many of them are solved. */
-const progress = () => `${exercises.filter(({ wasSolved }) => wasSolved).length} of ${exercises.length}`
+const progress = () => `${[...exercises].filter(isSolved).length} of ${exercises.size}`
 
 /** @type {Cell[]} those whose nodes run together, if the reader wants it: the first two, the next two, and so on */
 const together = []
@@ -41,13 +43,28 @@ const together = []
 /** Under this and the path of a page, how many of its exercises are solved. */
 const PROGRESS = "rosspin:progress:"
 
-/** Say on a page that has exercises how many are solved, and on every page beside the links to such pages. */
+/**
+ * Say on a list of exercises, and on their pages, which are solved, and how many; the latter on every page, too, beside
+ * the links to such lists. What leads on from an exercise is shown once that is solved.
+ */
 export function showProgress() {
   document.querySelectorAll(".live-progress").forEach((element) => element.remove())
+  /** @type {NodeListOf<HTMLAnchorElement>} */
+  const listed = document.querySelectorAll("[data-exercise]:not(.exercise-next *)")
+  for (const { classList, dataset: { exercise = "" } } of listed) {
+    exercises.add(exercise)
+    classList.toggle("is-solved", isSolved(exercise))
+  }
+  /** @type {HTMLElement | null} */
+  const next = document.querySelector(".exercise-next")
+  if (next) next.hidden = !document.querySelector(".exercise-way [aria-current].is-solved")
   try {
-    if (exercises.length) {
-      localStorage.setItem(PROGRESS + location.pathname, `${progress()} solved`)
-      sayProgress(find("article h1"), location.pathname)
+    if (exercises.size) {
+      /** @type {HTMLAnchorElement | null} */
+      const list = document.querySelector(".exercise-way p a")
+      const { pathname } = list ?? location
+      localStorage.setItem(PROGRESS + pathname, `${progress()} solved`)
+      sayProgress(list?.parentElement ?? find("article h1"), pathname)
     }
     /** @type {NodeListOf<HTMLAnchorElement>} */
     const links = document.querySelectorAll('.bd-docs-nav a[href$="exercises.html"], .bd-docs-nav a[aria-current]')
@@ -174,7 +191,7 @@ export class Cell {
     this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
     listing.append(...this.#arranged())
     if (!this.#program) this.#pre.addEventListener("click", () => getSelection()?.isCollapsed && this.#edit())
-    if (answer) exercises.push(answer)
+    if (answer) exercises.add(this.exercise)
     this.#showKept()
   }
 
@@ -188,7 +205,8 @@ export class Cell {
     if (isNode) bar.append(this.arguments)
     bar.append(this.status)
     const parts = [this.notice, this.copied, this.driven, this.plot.element, this.#made ?? "", this.console.element]
-    return [bar, make("div", { className: "live-cell" }, ...parts)]
+    const onward = this.exercise ? document.querySelectorAll(".exercise-next") : []
+    return [bar, make("div", { className: "live-cell" }, ...parts, ...onward)]
   }
 
   /** Show what came of a run to a reader who has pressed Run beside a listing that ends farther down. */

@@ -108,4 +108,8 @@ form.append(make("label", {}, "Your name ", field), make("label", {}, "Student I
 form.append(make("button", { textContent: "Save answers" }), status)
 form.addEventListener("submit", handIn)
 const cannot = make("p", { textContent: `This browser cannot check answers, nor hand them in: ${LACKS_JSPI}` })
-if (location.protocol !== "file:") find("article h1").after(HAS_JSPI ? form : cannot)
+const shown = HAS_JSPI ? form : cannot
+// A list begins with it. On the page of a single exercise it is last: for a text that the browser does not keep.
+if (location.protocol === "file:") shown.remove()
+else if (document.querySelector(".exercise-way")) find("article").append(shown)
+else find("article h1").after(shown)

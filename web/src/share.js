@@ -44,6 +44,8 @@ export async function receive(cells, base) {
   // Exercises change their places, but not their names.
   const exercise = named(text)
   const place = exercise ? cells.find((other) => other?.exercise === exercise) : cells[cell]
+  const page = document.querySelector(`.exercise-list a[data-exercise="${CSS.escape(exercise ?? "")}"]`)
+  if (page) return location.replace(`${page.getAttribute("href")}${location.search}${location.hash}`)
   if (!place) throw new Error("The code in this link belongs to a listing that this page no longer has.")
   /** @type {typeof import("./editor.js") | null} */
   const editor = await import(`${base}editor.js`).catch(() => null)

@@ -19,6 +19,7 @@ from sphinx.util.typing import ExtensionMetadata
 from ..exercises import EXERCISES, check
 from ..exercises.own import FAULTS, FOLDER, LESSONS, Answer, Lesson
 from .claims import Stale
+from .exercise_pages import difference
 from .notes import note
 
 __all__ = ["counted", "setup", "stale_files", "stale_lessons"]
@@ -49,22 +50,16 @@ class ExerciseDirective(SphinxDirective):
                 file = f"lessons/{self.arguments[0].replace('-', '_')}.py"
                 note(self.env, self.lineno, f".. exercise:: {self.arguments[0]}", f"there is no {file}")
             return []
-        cell = self._cell(lesson, lesson.node)
-        cell["classes"].append("live")
+        text = f"%%answer {lesson.exercise.name}\n{lesson.node.rstrip()}"
+        cell = nodes.literal_block(text, text, language="ipython3", classes=["live"])
         number = next(each.number for each in EXERCISES if each.name == lesson.exercise.name)
         title = f"Exercise {number}: {lesson.exercise.title}"
-        heading = nodes.rubric(title, title, ids=[lesson.exercise.name])
-        shown: list[nodes.Node] = [heading, *self.parse_text_to_nodes(lesson.text), cell]
+        shown: list[nodes.Node] = [nodes.rubric(title, title), *self.parse_text_to_nodes(lesson.text), cell]
         for number, hint in enumerate(lesson.hints, 1):
             shown += self._folded(f"Hint {number}", self.parse_text_to_nodes(hint))
         if "solution" in self.options and lesson.right:
-            shown += self._folded("Show the solution", [self._cell(lesson, lesson.written(lesson.right[0]))])
-        return shown
-
-    @staticmethod
-    def _cell(lesson: Lesson, text: str) -> nodes.literal_block:
-        text = f"%%answer {lesson.exercise.name}\n{text.rstrip()}"
-        return nodes.literal_block(text, text, language="ipython3")
+            shown += self._folded("Show the solution", [difference(lesson.node, lesson.written(lesson.right[0]))])
+        return [nodes.container("", *shown, classes=["exercise"], ids=[lesson.exercise.name])]
 
     @staticmethod
     def _folded(summary: str, inner: list[nodes.Node]) -> list[nodes.Node]:

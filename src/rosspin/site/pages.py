@@ -577,21 +577,13 @@ def name_pages(app: Sphinx, env: BuildEnvironment) -> list[str]:
     return sorted(env.found_docs)
 
 
-def list_exercises(
-    app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
-) -> None:
-    """Let "On this page" show the single exercises, not only the parts of the page."""
-    if page.endswith("exercises"):
-        context["theme_show_toc_level"] = 2
-
-
 def name_exercises(app: Sphinx, page: nodes.document) -> None:
     """Let links lead to each exercise by its name, which stays: ``exercises.html#ten-hertz``, ``:ref:`ten-hertz```."""
     labels = app.env.domains.standard_domain
     for listing in page.findall(nodes.literal_block):
         if match := re.match(r"%%answer (\S+)\n", listing.astext()):
-            section: nodes.Node = listing
-            while not isinstance(section, nodes.section):
+            section: Any = listing.parent
+            while not isinstance(section, nodes.section) and "exercise" not in section["classes"]:
                 section = section.parent
             labels.note_hyperlink_target(match[1], app.env.docname, match[1])
             if match[1] not in section["ids"]:
@@ -639,5 +631,4 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("doctree-read", name_exercises)
     app.connect("doctree-read", link_by_label, priority=400)  # before Sphinx collects the headings
     app.connect("env-updated", name_pages)
-    app.connect("html-page-context", list_exercises)
     return {"parallel_read_safe": False, "parallel_write_safe": True}

@@ -27,8 +27,7 @@ class _Row(NamedTuple):
 
 class _Step(NamedTuple):
     page: str
-    first: str  # the section with which it begins; "" for the whole page
-    last: str  # that with which it ends
+    sections: tuple[str, ...]  # none for the whole page
     title: str
 
 
@@ -77,9 +76,9 @@ def _steps(env: BuildEnvironment) -> dict[str, list[_Step]]:
             places = [(page, "") if page else labels.get(target, ("", "")) for page, target in links]
             page, first = places[0]
             if page in env.titles:
-                last = [section for other, section in places if other == page][-1]
+                sections = tuple(section for other, section in places if other == page and section)
                 title = text if first else env.titles[page].astext()
-                found[name].append(_Step(page, first, last, title))
+                found[name].append(_Step(page, sections, title))
     return found
 
 
@@ -95,7 +94,7 @@ def _write_again(app: Sphinx, env: BuildEnvironment) -> list[str]:
 
 
 def _address(app: Sphinx, page: str, step: _Step, name: str = "") -> str:
-    query, section = f"?path={name}" if name else "", f"#{step.first}" if step.first else ""
+    query, section = f"?path={name}" if name else "", f"#{step.sections[0]}" if step.sections else ""
     return app.builder.get_relative_uri(page, step.page) + query + section
 
 
@@ -120,15 +119,16 @@ def _add_lines(app: Sphinx, doctree: nodes.document, page: str) -> None:
             if step.page != page:
                 continue
             line = f'<a href="{home}">{html.escape(path.title)}</a>, {number} of {len(steps)}.'
-            if number < len(steps):
-                after = steps[number]
-                line += f' Next: <a href="{_address(app, page, after, name)}">{html.escape(after.title)}</a>'
             hidden = " hidden" if is_other else ""
-            said = nodes.raw("", f'<p class="rosspin-path" data-path="{name}"{hidden}>{line}</p>', format="html")
-            if step.last:
-                next(section for section in sections if step.last in section["ids"]).append(said)
-            else:
-                sections[0].insert(1, said)
+            own = [section for each in step.sections for section in sections if each in section["ids"]]
+            after = [step._replace(sections=(each["ids"][0],), title=each[0].astext()) for each in own[1:]]
+            for place, following in zip(own or sections[:1], [*after, *steps[number : number + 1], None]):
+                onward = ""
+                if following:
+                    to = _address(app, page, following, name)
+                    onward = f' Next: <a href="{to}">{html.escape(following.title)}</a>'
+                said = f'<p class="rosspin-path" data-path="{name}"{hidden}>{line}{onward}</p>'
+                place.insert(len(place) if own else 1, nodes.raw("", said, format="html"))
 
 
 def _lead_on(app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None) -> None:

@@ -6,16 +6,16 @@ from collections.abc import Iterator
 
 import pytest
 from answers import NAMES
-from exercises_in_page import is_checked, open_pages
+from exercises_in_page import is_checked, open_page
 from playwright.sync_api import Browser, Page
 
 
 @pytest.fixture(scope="module")
-def pages_of_exercises(browser: Browser, address: str) -> Iterator[dict[int, Page]]:
-    with open_pages(browser, address) as pages:
-        yield pages
+def page_of_exercises(browser: Browser, address: str) -> Iterator[Page]:
+    with open_page(browser, address) as page:
+        yield page
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_exercise_is_checked(pages_of_exercises: dict[int, Page], name: str) -> None:
-    is_checked(pages_of_exercises, name)
+def test_exercise_is_checked(page_of_exercises: Page, address: str, name: str) -> None:
+    is_checked(page_of_exercises, address, name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from answers import CELLS, ON_PAGE, number_of
 from axe import COLOURS, violations
-from listings_in_page import Cell, exercise, open_tutorial
+from listings_in_page import Cell, open_exercise, open_tutorial
 from looks import FAINT, faults
 from playwright.sync_api import Browser, Page, expect
 from readers import reader
@@ -52,8 +52,7 @@ def test_a_quick_check_by_keyboard_without_a_script(browser: Browser, address: s
 def test_an_exercise_by_keyboard(page: Page, address: str) -> None:
     """From its heading to the editor, a wrong answer, the hint, a right answer, and on to what follows."""
     name = ON_PAGE[2][0]
-    page.goto(f"{address}notebooks/ros2-exercises.html#{name}")
-    cell = exercise(page, name)
+    cell = open_exercise(page, address, name, f"#{name}")
     expect(cell.button("Run")).to_be_visible()
     page.evaluate(f"document.getElementById('{name}').focus()")
     tab_to(page, "Run answer")

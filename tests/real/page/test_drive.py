@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from axe import in_both_schemes
-from listings_in_page import Cell, exercise
+from listings_in_page import Cell, open_exercise
 from looks import TOO_WIDE
 from playwright.sync_api import Page, expect
 
@@ -39,10 +39,9 @@ def test_a_node_drives_and_the_page_draws_it_as_the_build_did(page: Page, addres
 
 @pytest.mark.parametrize("task", TASKS, ids=lambda task: task.exercise.name)
 def test_a_task_is_judged_and_drawn_as_in_a_notebook(page: Page, address: str, task: Lesson) -> None:
-    page.goto(address + PAGE)
     name = task.exercise.name
     number = next(each.number for each in EXERCISES if each.name == name)
-    cell = exercise(page, name)
+    cell = open_exercise(page, address, name)
     for answer, verdict in ((task.node, "not yet"), (task.written(task.right[1]), "right")):
         text = f"%%answer {name}\n{answer}"
         cell.write(text)
@@ -51,7 +50,7 @@ def test_a_task_is_judged_and_drawn_as_in_a_notebook(page: Page, address: str, t
         feedback = check(name, f"\n{answer}")
         assert str(feedback).replace("`", "") in said.replace("\n\n", "\n")
         assert driven(cell) == feedback.drive.words
-    expect(page.locator("h1 + .live-progress")).to_have_text("1 of 6 solved")
+    expect(page.locator("article .live-progress")).to_have_text("1 of 6 solved")
 
 
 def test_the_pictures_are_fit_for_all(page: Page, address: str) -> None:

@@ -7,62 +7,65 @@ from collections.abc import Iterator
 
 import pytest
 from answers import CELLS, NOTEBOOKS, ON_PAGE, answer_in, number_of
-from exercises_in_page import is_checked, open_pages
-from listings_in_page import (
-    Cell,
-    exercise,
-)
+from exercises_in_page import is_checked, open_page
+from listings_in_page import Cell, link, open_exercise
 from playwright.sync_api import Browser, Page, expect
+from readers import reader
 
 pytestmark = pytest.mark.shares(2)
 
 
 @pytest.fixture(scope="module")
-def pages_of_exercises(browser: Browser, address: str) -> Iterator[dict[int, Page]]:
-    with open_pages(browser, address) as pages:
-        yield pages
-
-
-@pytest.fixture
-def exercises(pages_of_exercises: dict[int, Page]) -> Page:
-    """The page of those on ROS 1."""
-    return pages_of_exercises[1]
+def opened(browser: Browser, address: str) -> Iterator[Page]:
+    with open_page(browser, address) as page:
+        yield page
 
 
 @pytest.mark.parametrize("name", ["ten-hertz", "name-the-fault", ON_PAGE[2][-1]])
-def test_exercise_is_checked(pages_of_exercises: dict[int, Page], name: str) -> None:
+def test_exercise_is_checked(opened: Page, address: str, name: str) -> None:
     """A few; all of them are in judge/."""
-    is_checked(pages_of_exercises, name)
+    is_checked(opened, address, name)
 
 
 @pytest.mark.parametrize("ros", NOTEBOOKS)
-def test_what_was_solved_is_kept(pages_of_exercises: dict[int, Page], ros: int) -> None:
-    """Told after each right answer, and known when the reader comes back."""
-    page, names = pages_of_exercises[ros], ON_PAGE[ros]
-    cell = exercise(page, names[0])
-    cell.write(CELLS[names[0]][1].source)
+def test_what_was_solved_is_kept_and_leads_on(opened: Page, address: str, ros: int) -> None:
+    """Told after each right answer, and known when the reader comes back, and on the list; then comes the next one."""
+    page, (name, following, *_), count = opened, ON_PAGE[ros], len(ON_PAGE[ros])
+    onward = page.get_by_role("link", name="Next: ")
+    cell = open_exercise(page, address, name)
+    cell.write(CELLS[name][0].source + "\n1 / 0\n")
     cell.button("Run").click()
-    cell.ends(rf"Exercise {number_of(names[0])}: right\. You have solved \d+ of {len(names)}\.")
+    cell.ends(f"Exercise {number_of(name)}: not yet")
+    expect(onward).to_be_hidden()
+    cell.write(CELLS[name][1].source)
+    cell.button("Run").click()
+    cell.ends(rf"Exercise {number_of(name)}: right\. You have solved \d+ of {count}\.")
+    expect(onward).to_be_in_viewport()
     page.reload()
     expect(cell.status).to_have_text("solved, as you edited it")
-    made = page.locator(f".cell:has([aria-label='Run answer {names[0]}']) > .cell_output")
-    expect(made).to_be_hidden()  # it is about the text that came with the page
     said = page.locator("article .live-progress").text_content() or ""
-    assert re.fullmatch(rf"[1-9]\d* of {len(names)} solved", said)
+    assert re.fullmatch(rf"[1-9]\d* of {count} solved", said)
     assert beside_its_link(page, ros) == said
     cell.button("Reset").click()
     expect(cell.status).to_have_text("an earlier version was solved")
-    expect(made).to_be_visible()
+    onward.click()
+    expect(page).to_have_url(f"{address}exercises/{following}.html")
+    page.get_by_role("link", name=re.compile("^Exercises")).and_(page.locator(".exercise-way a")).click()
+    expect(page).to_have_url(f"{address}notebooks/{NOTEBOOKS[ros].stem}.html")
+    assert page.locator("article .live-progress").text_content() == said
+    solved = page.locator(".exercise-list .is-solved")
+    expect(solved.first).to_contain_text(f"{number_of(name)}. ")
+    assert said.startswith(f"{solved.count()} of ")
 
 
-def test_each_page_of_exercises_counts_its_own(pages_of_exercises: dict[int, Page], address: str) -> None:
+def test_each_list_counts_its_own(opened: Page, address: str) -> None:
     """A page that runs nodes shows both counts in its sidebar."""
-    for ros, page in pages_of_exercises.items():
-        cell = exercise(page, ON_PAGE[ros][0])
-        cell.write(CELLS[ON_PAGE[ros][0]][1].source)
+    for name, *_ in ON_PAGE.values():
+        cell = open_exercise(opened, address, name)
+        cell.write(CELLS[name][1].source)
         cell.button("Run").click()
-        cell.ends(f"Exercise {number_of(ON_PAGE[ros][0])}: right")
-    page = pages_of_exercises[1].context.new_page()
+        cell.ends(f"Exercise {number_of(name)}: right")
+    page = opened.context.new_page()
     page.goto(address + "docs/tutorial.html")
     for ros, names in ON_PAGE.items():
         assert beside_its_link(page, ros).endswith(f" of {len(names)} solved")
@@ -76,20 +79,41 @@ def beside_its_link(page: Page, ros: int) -> str:
     return links.nth(2 - ros).locator("xpath=following-sibling::*[1]").text_content() or ""
 
 
-def test_hints_are_asked_for_one_at_a_time(exercises: Page) -> None:
-    hints = exercises.locator("section#fire-once details:has(> summary:text('Hint'))")
-    shown = [hints.nth(number).locator("p").first for number in range(hints.count())]
-    assert len(shown) >= 3
-    for number in range(len(shown)):
-        for later in shown[number:]:
-            expect(later).to_be_hidden()
+@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize("name", ["make-it-10-hz", "period-parameter", "cancel-a-goal", "stop-the-motor"])
+def test_the_task_the_listing_and_run_are_on_one_screen(browser: Browser, address: str, name: str, width: int) -> None:
+    """Without scrolling: nor is the page wider than the screen."""
+    with reader(browser, viewport={"width": width, "height": 844}) as context:
+        page = context.new_page()
+        cell = open_exercise(page, address, name)
+        for part in page.locator("h1"), cell.element.locator("pre").first, cell.button("Run"):
+            expect(part).to_be_in_viewport()
+        assert page.evaluate("document.documentElement.scrollWidth") == width
+
+
+def test_links_to_the_list_lead_to_the_exercise(page: Page, address: str) -> None:
+    """With its name, which was a heading there, with the words of that heading, or with code for it."""
+    for anchor, name in ("two-timers", "two-timers"), ("give-a-node-two-timers", "two-timers"):
+        page.goto(f"{address}notebooks/ros2-exercises.html?path=evening#{anchor}")
+        expect(page).to_have_url(f"{address}exercises/{name}.html?path=evening")
+    page.goto(f"{address}notebooks/ros2-exercises.html{link(cell=3, text='%%answer slow-timer' + chr(10))}")
+    expect(page).to_have_url(re.compile("/exercises/slow-timer.html#code="))
+    expect(page.locator(".live-notice:visible")).to_contain_text("This code came with the link")
+
+
+def test_hints_are_asked_for_one_at_a_time(opened: Page, address: str) -> None:
+    open_exercise(opened, address, "fire-once")
+    hints = opened.locator("details:has(> summary:text('Hint'))")
+    assert hints.count() >= 3
+    for number in range(hints.count()):
+        assert [hint.is_visible() for hint in hints.all()] == [place <= number for place in range(hints.count())]
         hints.nth(number).locator("summary").press("Enter")
-        expect(shown[number]).to_be_visible()
+        expect(hints.nth(number).locator("p").first).to_be_visible()
 
 
-def test_a_whole_node_that_is_pasted_is_an_answer(exercises: Page) -> None:
+def test_a_whole_node_that_is_pasted_is_an_answer(opened: Page, address: str) -> None:
     """The cell knows which exercise it answers; its first line need not be there, and its lines keep their numbers."""
-    cell = exercise(exercises, "ten-hertz")
+    cell = open_exercise(opened, address, "ten-hertz")
     right = answer_in(CELLS["ten-hertz"][1])
     for text in (right, f"%%answer\n{right}", f"%%answer 4\n{right}", f"# mine\n{right}"):
         cell.write(text)
@@ -101,22 +125,23 @@ def test_a_whole_node_that_is_pasted_is_an_answer(exercises: Page) -> None:
     cell.button("Reset").click()
 
 
-def test_verdict_leads_to_the_line_that_it_names(exercises: Page) -> None:
-    cell = exercise(exercises, "stop-after-five")
+def test_verdict_leads_to_the_line_that_it_names(opened: Page, address: str) -> None:
+    cell = open_exercise(opened, address, "stop-after-five")
     cell.write("%%answer stop-after-five\nimport rospy\nrospy.init_node('a_node')\n1 / 0\n")
     cell.button("Run").click()
     cell.ends(f"Exercise {number_of('stop-after-five')}: not yet")
     for place in ('"<answer>", line 4', "in line 4"):
         cell.console.get_by_role("button", name=place).first.click()
         expect(cell.editor).to_be_focused()
-        assert exercises.evaluate("getSelection().toString()") == "1 / 0"
+        assert opened.evaluate("getSelection().toString()") == "1 / 0"
         cell.editor.press("Control+Home")
     cell.button("Reset").click()
 
 
-def test_ticks_at_the_same_time_are_drawn_apart(exercises: Page) -> None:
+def test_ticks_at_the_same_time_are_drawn_apart(opened: Page, address: str) -> None:
     """The plot of the blocking node shows both ticks at 2.2 s."""
-    cell = Cell(exercises, 1)
+    open_exercise(opened, address, "after-a-slow-callback")
+    cell = Cell(opened, 0)
     cell.write((cell.element.locator("pre").first.text_content() or "").replace("0.6", "1.0"))
     cell.element.get_by_role("combobox").select_option("instantly")
     cell.button("Run").click()

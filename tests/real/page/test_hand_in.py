@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from answers import number_of
-from hand_ins import EXERCISES, RIGHT, TEACHERS, WRONG, Table
+from hand_ins import EXERCISE, EXERCISES, RIGHT, TEACHERS, WRONG, Table
 from listings_in_page import Cell
 from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Page, expect
 from readers import reader
@@ -31,7 +31,7 @@ def _read(download: Download) -> tuple[str, dict[str, Any]]:
 
 def test_what_was_answered_is_saved(page: Page, address: str) -> None:
     """As it stands on the page, run or not, and what the browser keeps of other pages; without any verdict."""
-    page.goto(address + EXERCISES)
+    page.goto(address + EXERCISE)
     status = page.locator(".hand-in").get_by_role("status")
     page.get_by_role("button", name="Save answers").click()
     expect(status).to_have_text("Write your name first.")
@@ -55,7 +55,7 @@ def test_what_was_answered_is_saved(page: Page, address: str) -> None:
 
 
 def test_name_and_answers_are_there_after_a_reload(page: Page, address: str) -> None:
-    page.goto(address + EXERCISES)
+    page.goto(address + EXERCISE)
     Cell(page, 0).write(WRONG)
     _, before = _hand_in(page, "Ada")
     page.reload()
@@ -67,7 +67,7 @@ def test_name_and_answers_are_there_after_a_reload(page: Page, address: str) -> 
 
 def test_file_comes_from_the_one_page_to_the_other(quick: Table, address: str) -> None:
     page = quick.page
-    page.goto(address + EXERCISES)
+    page.goto(address + EXERCISE)
     Cell(page, 0).write("%%answer first-ticks\nsolved")
     name, found = _hand_in(page, "Ada")
     table = Table(page, address)

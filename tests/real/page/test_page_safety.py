@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from answers import CELLS, number_of
 from attacks import ATTACK, FORGERIES, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
-from hand_ins import EXERCISES, NO_RUNS, TEACHERS, Table, exchange, handed_in, solves_nothing
+from hand_ins import EXERCISE, NO_RUNS, TEACHERS, Table, exchange, handed_in, solves_nothing
 from in_chromium import launched, served
 from listings_in_page import RATE, TIMER, TUTORIAL, Cell, link, open_tutorial
 from looks import faults
@@ -245,7 +245,7 @@ def test_where_the_browser_has_no_hashes(context: BrowserContext, address: str) 
 
 def test_no_message_solves_an_exercise(context: BrowserContext, address: str) -> None:
     page = context.new_page()
-    page.goto(address + EXERCISES)
+    page.goto(address + EXERCISE)
     cell = Cell(page, 0)
     for name, text in FORGERIES.items():
         cell.write(f"%%answer first-ticks\n{text}\n")

@@ -55,7 +55,7 @@ def test_a_page_is_printed_to_its_end(page: Page, address: str, name: str) -> No
 def test_what_is_folded_is_printed(paper: Page, address: str) -> None:
     paper.goto(f"{address}/notebooks/timer.html")
     expect(paper.get_by_text("20, at 0.1 s, 0.2 s and so on")).to_be_visible()
-    paper.goto(f"{address}/notebooks/exercises.html")
+    paper.goto(f"{address}/exercises/fire-once.html")
     assert _all_visible(paper.locator("details > :not(summary)"))
     paper.goto(f"{address}/docs/ros2/how-timing-works.html")
     assert _all_visible(paper.locator("details > :not(summary)"))

@@ -15,12 +15,12 @@ def test_the_path_that_was_chosen_is_told_and_leads_on(page: Page, address: str)
     page.goto(f"{address}docs/paths.html")
     page.locator("table[id='evening'] tbody a").first.click()
     shown, onward = page.locator(".rosspin-path:visible"), page.locator("a.right-next")
-    for number in range(1, 6):
+    for step, number in enumerate((1, 2, 3, 3, 4, 5)):  # two exercises are a step
         expect(shown).to_have_text(re.compile(f"^The path of an evening, {number} of 6. Next: "))
         below = shown.locator("a").last
         assert onward.evaluate("link => link.href") == below.evaluate("link => link.href")
         expect(onward).to_contain_text(below.text_content() or "-")
-        (below if number % 2 else onward).click()
+        (below if step % 2 else onward).click()
     expect(page.locator("h1")).to_have_text(re.compile("^Drive the vehicle"))
     expect(shown).to_have_text("The path of an evening, 6 of 6.")
     expect(onward).to_be_hidden()

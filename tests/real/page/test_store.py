@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from answers import CELLS, number_of
-from hand_ins import EXERCISES, RIGHT, WRONG
+from hand_ins import EXERCISE, RIGHT, WRONG
 from listings_in_page import TIMER, Cell, link, node, open_tutorial
 from playwright.sync_api import BrowserContext, Page, expect
 
@@ -40,7 +40,7 @@ class Answer(Cell):
     """The answer to exercise 1, on its page."""
 
     def __init__(self, page: Page, address: str, fragment: str = "") -> None:
-        page.goto(address + EXERCISES + fragment)
+        page.goto(address + EXERCISE + fragment)
         super().__init__(page, 0)
 
     @property
