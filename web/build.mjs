@@ -120,7 +120,7 @@ await build({
   define: { "import.meta.url": JSON.stringify("memory:/") }, // where it believes that its files are
   entryPoints: [path.join(here, "src/worker.js")],
 })
-await build({ ...common, entryPoints: [path.join(here, "src/cpp.js")] })
+await build({ ...common, entryPoints: ["cpp.js", "clang.js"].map((name) => path.join(here, "src", name)) })
 const { outputFiles } = await build({ ...common, write: false, entryPoints: [path.join(here, "src/sandbox.js")] })
 const script = outputFiles[0].text
 const policy = `default-src 'none'; script-src 'sha256-${sha256(script, "base64")}' blob: 'wasm-unsafe-eval'`
@@ -136,14 +136,14 @@ writeFileSync(
 
 // Loaded when a listing is touched, or an answer is to be judged. What runs code knows each file that it starts from.
 const sealed = ["pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip", "snapshot.gz"]
-  .concat(["sandbox.html", "worker.js", "cpp.js"])
+  .concat(["sandbox.html", "worker.js", "cpp.js", "clang.js"])
   .map((name) => [name, sha256(readFileSync(path.join(out, name)))])
 const { metafile } = await build({
   ...common,
   format: "esm",
   define: { FILES: JSON.stringify(Object.fromEntries(sealed)), ...rules },
-  external: ["./sha256.js"],
-  entryPoints: ["editor.js", "runs.js", "sha256.js", "share.js", "stepper.js"].map((name) => path.join(here, "src", name)),
+  external: ["./compiled.js", "./sha256.js"],
+  entryPoints: ["compiled.js", "editor.js", "runs.js", "sha256.js", "share.js", "stepper.js"].map((name) => path.join(here, "src", name)),
 })
 const version = JSON.stringify(sha256(readFileSync(path.join(out, "runs.js"))).slice(0, 16))
 
@@ -189,6 +189,9 @@ const licences = [...used].sort().map((name) => {
 })
 // Pyodide is CPython, compiled, with its standard library.
 licences.push(`Python: PSF-2.0\n\n${readFileSync(path.join(here, "licences/PSF-2.0.txt"), "utf8")}`)
+// The compiler is LLVM, with its C++ library, which programs have in them, too, and that of C, which comes from musl.
+licences.push(`LLVM: Apache-2.0\n\n${readFileSync(path.join(here, "licences/Apache-2.0.txt"), "utf8")}`)
+licences.push(`musl: MIT\n\n${readFileSync(path.join(here, "licences/musl-MIT.txt"), "utf8")}`)
 const installed = path.dirname(yaml)
 const [about] = readdirSync(installed).filter((name) => /^pyyaml-.*\.dist-info$/i.test(name))
 licences.push(`PyYAML: MIT\n\n${readFileSync(path.join(installed, about, "licenses/LICENSE"), "utf8")}`)

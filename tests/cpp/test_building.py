@@ -87,6 +87,7 @@ def test_what_a_page_runs_is_found() -> None:
     assert list(_nodes((ROOT / "docs/tutorial.rst").read_text(encoding="utf-8"), ROOT)) == [
         (str(NODE), None),
         (str(NODE.with_name("spinner_rate_cpp_node.cpp")), None),
+        (str(ROOT / "examples/steps/2_callback.cpp"), None),
     ]
     [(_, cell)] = _nodes((ROOT / "notebooks/timer.md").read_text(encoding="utf-8"), ROOT)
     assert cell == f"\n{NODE.read_text(encoding='utf-8')}"
@@ -107,6 +108,6 @@ def test_pages_with_cpp_nodes_are_read_last_and_compiled_meanwhile(monkeypatch: 
     pages = list(names)
     _begin(app, env, pages)
     assert pages == ["notebooks/drift", "docs/tutorial", "notebooks/timer"]
-    assert started == [(build_together, [NODE.name, "spinner_rate_cpp_node.cpp", "cell"])]
+    assert started == [(build_together, [NODE.name, "spinner_rate_cpp_node.cpp", "2_callback.cpp", "cell"])]
     _begin(app, env, ["notebooks/drift"])
     assert len(started) == 1

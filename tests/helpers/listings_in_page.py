@@ -59,9 +59,9 @@ class Cell:
         self.editor.press("Control+a")
         self.page.keyboard.insert_text(text)
 
-    def ends(self, status: str) -> str:
-        """Wait until the status line begins with these words; the text on the console."""
-        expect(self.status).to_have_text(re.compile(f"^{status}"))
+    def ends(self, status: str, most: float | None = None) -> str:
+        """Wait, for so many ms at most, until the status line begins with these words; the text on the console."""
+        expect(self.status).to_have_text(re.compile(f"^{status}"), timeout=most)
         return self.text()
 
     def text(self) -> str:

@@ -13,6 +13,9 @@ const SECONDS = "10"
 /** The longest console (characters) that is worth pinning in a test. */
 const LONGEST = 50_000
 
+/** What a reader is told before a listing in C++ is changed. */
+const CLANG = "To run a change, this page loads clang once: about 40 MB, which your browser keeps"
+
 const SEE_CONSOLE = "error: see the console"
 
 /** What a node has in it that reads its command line. */
@@ -180,9 +183,10 @@ export class Cell {
       this.speed.append(make("option", { textContent, value }))
     }
     this.status = make("span", { role: "status" })
+    this.progress = make("progress", { hidden: true, max: 1, ariaLabel: "What is loaded" })
     this.pin.title = "Copy a test for pytest that expects what this run has shown"
     this.pin.hidden = true
-    this.edit.hidden = this.share.hidden = this.#program !== ""
+    if (this.isCpp) this.edit.title = CLANG
     const file = this.exercise ? "" : this.#name
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
     this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
@@ -190,7 +194,7 @@ export class Cell {
     this.notice = make("p", { className: "live-notice", hidden: true })
     this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
     listing.append(...this.#arranged())
-    if (!this.#program) this.#pre.addEventListener("click", () => getSelection()?.isCollapsed && this.#edit())
+    this.#pre.addEventListener("click", () => getSelection()?.isCollapsed && this.#edit())
     if (answer) exercises.add(this.exercise)
     this.#showKept()
   }
@@ -203,7 +207,7 @@ export class Cell {
     if (isNode) bar.append(make("label", {}, this.seconds, " s"))
     if (!this.exercise) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
-    bar.append(this.status)
+    bar.append(this.progress, this.status)
     const parts = [this.notice, this.copied, this.driven, this.plot.element, this.#made ?? "", this.console.element]
     const onward = this.exercise ? document.querySelectorAll(".exercise-next") : []
     return [bar, make("div", { className: "live-cell" }, ...parts, ...onward)]
@@ -216,6 +220,11 @@ export class Cell {
     if (isStuck) this.console.element.parentElement?.scrollIntoView({ block: "nearest" })
   }
 
+  /** Whether it is in C++. */
+  get isCpp() {
+    return this.#program !== ""
+  }
+
   /** The text as it is now. */
   get #text() {
     return this.#editor?.text() ?? /** @type {string} */ (this.#pre.textContent)
@@ -223,7 +232,7 @@ export class Cell {
 
   /** Offer what can be done with the text as it is: arguments for a node that reads some, Reset for one that was changed. */
   #offer() {
-    const reads = this.#program ? READS_ARGUMENTS_IN_CPP : READS_ARGUMENTS
+    const reads = this.isCpp ? READS_ARGUMENTS_IN_CPP : READS_ARGUMENTS
     this.arguments.hidden = !reads.test(this.#text) && !this.args.value
     this.args.placeholder = EXAMPLE[String(this.#text.match(/\brospy\b|\brclpy\b|\bros\/ros\.h\b|\brclcpp\//))] ?? ""
     const isUntouched = this.#text === this.#original && this.seconds.value === SECONDS && !this.args.value
@@ -318,6 +327,7 @@ export class Cell {
       if (!loaded) return this.#say(`error: the editor could not be loaded. ${IS_IT_THERE}`)
       if (this.#editor) return
       this.#editor = loaded.open(this.#text, `Code of ${this.#name}. Escape leaves the editor.`, {
+        isCpp: this.isCpp,
         wraps: this.#pre.className !== "",
         changed: (text) => {
           this.#show(text)
@@ -330,6 +340,7 @@ export class Cell {
       this.#pre.before(this.#editor.element)
       this.#pre.hidden = true
     }
+    if (this.isCpp && !this.#worker) this.#say(CLANG)
     if (line) this.#editor.goTo(line)
     else this.#editor.focus()
   }
@@ -465,12 +476,12 @@ export class Cell {
     const [source, filename, args] = this.#beside
     this.#ran = source
     const beside = others.filter((other) => other !== this).map((other) => other.#beside)
-    const program = { program: this.#program, ros: /\brclcpp\//.test(source) ? 2 : 1 }
+    const program = { program: source === this.#original ? this.#program : "", ros: !this.isCpp ? 0 : /\brclcpp\//.test(source) ? 2 : 1 }
     const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside, exercise: this.exercise, ...program }
     const hear = (/** @type {import("./runs.js").Told} */ message) => this.#hear(message, job)
     this.plot.expect(seconds)
     this.#worker = start(this.#base, job, (message) => number === this.#runs && hear(message))
-    this.#say(this.#program ? "starting" : "starting Python")
+    this.#say(this.isCpp ? "starting" : "starting Python")
   }
 
   /**
@@ -478,8 +489,15 @@ export class Cell {
    * @param {import("./runs.js").Text} job
    */
   #hear(message, job) {
+    this.progress.hidden = message.kind !== "doing"
     if (message.kind === "begun") {
       this.#say("running")
+    } else if (message.kind === "doing") {
+      if (message.share < 0) this.progress.removeAttribute("value")
+      else this.progress.value = message.share
+      this.#say(message.said)
+    } else if (message.kind === "faults") {
+      this.#blame(message.faults)
     } else if (message.kind === "batch") {
       this.console.print(message.chunks, message.leftOut)
       this.plot.add(message.ticks)
@@ -495,7 +513,7 @@ export class Cell {
       this.#end()
       this.console.print([[true, `${message.reason}\n`, 0, 0]], 0)
       this.console.finish()
-      this.#say(`error: ${this.#program ? "it" : "Python"} stopped`)
+      this.#say(`error: ${this.isCpp ? "it" : "Python"} stopped`)
     }
   }
 
@@ -503,9 +521,9 @@ export class Cell {
    * @param {import("./protocol.js").RunResult} result
    * @param {import("./runs.js").Text} job
    */
-  #finish({ status, errors, count, ticks, lost, chunks, alternative, end, scenes, drive }, { source, filename, seconds, args, beside, program }) {
+  #finish({ status, errors, count, ticks, lost, chunks, alternative, end, scenes, drive }, { source, filename, seconds, args, beside, ros }) {
     const { whole } = this.console
-    const pins = !program && !status && !errors && !beside.length && !drive.length && count === ticks.length && whole !== null && whole.length <= LONGEST
+    const pins = !ros && !status && !errors && !beside.length && !drive.length && count === ticks.length && whole !== null && whole.length <= LONGEST
     this.#pinned = pins ? { source, filename, seconds, args, console: whole, ticks } : null
     this.pin.hidden = !pins
     const none = this.#endSteps
@@ -517,7 +535,7 @@ export class Cell {
     }
     if (count) this.plot.finish(ticks, count, alternative, chunks, end, lost)
     const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
-    const done = status === BY_CTRL_C ? `done${ticked}, ended by Ctrl-C${program ? "" : " with a traceback"}` : SEE_CONSOLE
+    const done = status === BY_CTRL_C ? `done${ticked}, ended by Ctrl-C${ros ? "" : " with a traceback"}` : SEE_CONSOLE
     this.#say(status ? done : errors ? `done, but with an ${SEE_CONSOLE}` : `done${ticked}`)
   }
 
@@ -533,6 +551,16 @@ export class Cell {
     return said ?? ` You have solved ${progress()}.`
   }
 
+  /**
+   * Show in the listing what the compiler says of it.
+   *
+   * @param {import("./faults.js").Fault[]} faults
+   */
+  async #blame(faults) {
+    if (!this.#editor) await this.#edit()
+    this.#editor?.blame(faults)
+  }
+
   #stop() {
     this.#end()
     this.console.finish()
@@ -542,6 +570,7 @@ export class Cell {
 
   /** End the run immediately, if there is one. */
   #end() {
+    this.progress.hidden = true
     this.#runs++
     this.#worker?.end()
     this.#worker = null

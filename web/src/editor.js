@@ -1,10 +1,11 @@
 // The editor, loaded when a reader first wants to change a listing.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands"
+import { cpp, cppLanguage } from "@codemirror/lang-cpp"
 import { python, pythonLanguage } from "@codemirror/lang-python"
 import { bracketMatching, indentUnit, syntaxHighlighting } from "@codemirror/language"
 import { EditorState, StateEffect, StateField } from "@codemirror/state"
-import { Decoration, EditorView, highlightSpecialChars, keymap } from "@codemirror/view"
+import { Decoration, EditorView, WidgetType, highlightSpecialChars, keymap } from "@codemirror/view"
 import { highlightCode, tagHighlighter, tags } from "@lezer/highlight"
 import { make } from "./make.js"
 import { UNSEEN, sign } from "./unseen.js"
@@ -27,12 +28,13 @@ const likeTheListing = tagHighlighter([
  * A text in pieces, each with the class of its colour.
  *
  * @param {string} text
+ * @param {boolean} isCpp
  */
-export function coloured(text) {
+export function coloured(text, isCpp) {
   /** @type {[piece: string, colour: string][]} */
   const pieces = []
   const put = (/** @type {string} */ piece, colour = "") => pieces.push([piece, colour])
-  highlightCode(text, pythonLanguage.parser.parse(text), likeTheListing, put, () => put("\n"))
+  highlightCode(text, (isCpp ? cppLanguage : pythonLanguage).parser.parse(text), likeTheListing, put, () => put("\n"))
   return pieces
 }
 
@@ -58,12 +60,36 @@ const running = StateField.define({
   provide: (field) => EditorView.decorations.from(field),
 })
 
+/** @type {import("@codemirror/state").StateEffectType<import("@codemirror/view").DecorationSet>} */
+const blames = StateEffect.define()
+
+// What the compiler says of places in the text as it was compiled, below their lines; none once that has changed.
+const blamed = StateField.define({
+  create: () => Decoration.none,
+  update: (places, { effects, docChanged }) =>
+    effects.find((effect) => effect.is(blames))?.value ?? (docChanged ? Decoration.none : places),
+  provide: (field) => EditorView.decorations.from(field),
+})
+
+class Said extends WidgetType {
+  /** @param {string} text */
+  constructor(text) {
+    super()
+    this.text = text
+  }
+
+  toDOM() {
+    return make("div", { className: "live-fault", textContent: this.text })
+  }
+}
+
 const mark = (/** @type {string} */ character) => make("span", { className: "unseen", textContent: sign(character) })
 
 /**
- * An open editor. `write` replaces its text, `goTo` selects a line, counted from 1.
+ * An open editor. `write` replaces its text, `goTo` selects a line, counted from 1, `blame` shows what is wrong at places.
  *
- * @typedef {{element: HTMLElement, text(): string, write(text: string): void, focus(): void, goTo(line: number): void}} Editor
+ * @typedef {{element: HTMLElement, text(): string, write(text: string): void, focus(): void, goTo(line: number): void,
+ *   blame(faults: import("./faults.js").Fault[]): void}} Editor
  */
 
 /**
@@ -72,10 +98,10 @@ const mark = (/** @type {string} */ character) => make("span", { className: "uns
  *
  * @param {string} text
  * @param {string} label
- * @param {{wraps: boolean, changed: (text: string) => void, run: () => void, leave: () => void}} how
+ * @param {{isCpp: boolean, wraps: boolean, changed: (text: string) => void, run: () => void, leave: () => void}} how
  * @returns {Editor}
  */
-export function open(text, label, { wraps, changed, run, leave }) {
+export function open(text, label, { isCpp, wraps, changed, run, leave }) {
   const command = (/** @type {() => void} */ act) => () => {
     act()
     return true
@@ -93,13 +119,14 @@ export function open(text, label, { wraps, changed, run, leave }) {
         ]),
         history(),
         bracketMatching(),
-        indentUnit.of("    "),
-        python(),
+        indentUnit.of(isCpp ? "  " : "    "),
+        isCpp ? cpp() : python(),
         highlightSpecialChars({ specialChars: UNSEEN, render: (code) => mark(String.fromCodePoint(code)) }),
         wraps ? EditorView.lineWrapping : [],
         syntaxHighlighting(likeTheListing),
         looksLikeIt,
         running,
+        blamed,
         EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false" }),
         EditorView.updateListener.of((update) => update.docChanged && changed(update.state.doc.toString())),
       ],
@@ -118,6 +145,18 @@ export function open(text, label, { wraps, changed, run, leave }) {
     text: () => view.state.doc.toString(),
     write: (text) => view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } }),
     focus: () => view.focus(),
+    blame: (faults) => {
+      const { doc } = view.state
+      const places = faults.filter(({ line }) => line <= doc.lines).flatMap(({ line, column, text }) => {
+        const { from, to } = doc.line(line)
+        const at = Math.min(from + column - 1, to)
+        const word = /^\w+|^./.exec(doc.sliceString(at, to))?.[0].length ?? 0
+        const widget = new Said(`${line}:${column}: ${text}`)
+        const said = Decoration.widget({ widget, block: true, side: 1 }).range(to)
+        return word ? [Decoration.mark({ class: "live-faulty" }).range(at, at + word), said] : [said]
+      })
+      view.dispatch({ effects: blames.of(Decoration.set(places, true)) })
+    },
     goTo: (number) => {
       const { from, to } = view.state.doc.line(Math.min(number, view.state.doc.lines))
       view.dispatch({ selection: { anchor: from, head: to }, scrollIntoView: true })

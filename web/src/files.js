@@ -75,5 +75,51 @@ async function keep(cache, bytes) {
   }
 }
 
+/** @typedef {{name: string, ros: number, bytes: number, sha256: string}} Part of the compiler; ros 0: for either */
+
+/** What keeps the compiler. */
+const KEPT = "rosspin-clang"
+
+/**
+ * The files of the compiler for a ROS, by their names: from what the browser keeps, else from the site, to be kept.
+ * `tell(so many bytes, of so many)` is called as they come. Fault: one is not the right one. Error: one cannot be had.
+ *
+ * @param {number} ros
+ * @param {(loaded: number, total: number) => void} tell
+ */
+export async function loadCompiler(ros, tell) {
+  const folder = new URL("../clang/", base)
+  const cache = await globalThis.caches?.open(KEPT).catch(() => undefined)
+  /** @type {Part[]} */
+  const all = await (await fetch(new URL("parts.json", folder), { cache: "no-cache" })).json()
+  const parts = all.filter((part) => part.ros === ros || !part.ros)
+  const total = parts.reduce((sum, { bytes }) => sum + bytes, 0)
+  const known = new Set(all.map(({ sha256 }) => new URL(`${sha256}.gz`, folder).href))
+  for (const key of (await cache?.keys()) ?? []) if (!known.has(key.url)) await cache?.delete(key)
+  let loaded = 0
+  /** @type {Map<string, ArrayBuffer>} */
+  const files = new Map()
+  for (const { name, sha256 } of parts) {
+    const url = new URL(`${sha256}.gz`, folder).href
+    const kept = await cache?.match(url)
+    const response = kept ?? (await fetch(url))
+    if (!response.ok || !response.body) throw new Error(`${response.status} ${name}`)
+    const chunks = []
+    const reader = response.body.getReader()
+    for (let part = await reader.read(); !part.done; part = await reader.read()) {
+      chunks.push(part.value)
+      tell((loaded += part.value.length), total)
+    }
+    const bytes = await new Blob(chunks).arrayBuffer()
+    if ((await digest(bytes)) !== sha256) {
+      await cache?.delete(url)
+      throw new Fault(wrong(name))
+    }
+    if (!kept) await cache?.put(url, new Response(bytes)).catch(() => {}) // there is no room for it: the next page loads it again
+    files.set(name, bytes)
+  }
+  return files
+}
+
 /** The address of the page of a sandbox. */
 export const sandboxPage = address("sandbox.html")

@@ -13,6 +13,7 @@ export const LONGEST = {
   "": { characters: 100_000, values: 100 }, // before there is a job
   run: { characters: 1_500_000, values: 100_000 },
   cpp: { characters: 1_500_000, values: 100_000 },
+  compile: { characters: 20_000_000, values: 100 },
   trace: { characters: 6_000_000, values: 100 },
   judge: { characters: 2_000_000, values: 100 },
   look: { characters: 4_000_000, values: 250_000 },

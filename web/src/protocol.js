@@ -10,6 +10,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  *   beside: Beside[]}} RunJob
  * @typedef {{kind: "cpp", name: string, bytes: ArrayBuffer | null, ros: number, filename: string, seconds: number, args: string,
  *   speed: number}} CppJob to run a compiled node; bytes: its program, packed until it reaches its worker
+ * @typedef {{kind: "compile", text: string, filename: string}} CompileJob
  * @typedef {{kind: "trace", exercise: string, text: string}} TraceJob
  * @typedef {{kind: "judge", exercise: string, text: string, trace: string}} JudgeJob
  * @typedef {{kind: "look", log: ArrayBuffer, name: string}} LookJob
@@ -19,7 +20,8 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{kind: "answer", number: number, exercise: string}} AnswerJob to have one that was read
  * @typedef {{kind: "report", verdicts: (readonly [row: number, exercise: string, verdict: string, why: string,
  *   hint: string])[]}} ReportJob to have a table of all that was read
- * @typedef {RunJob | CppJob | TraceJob | JudgeJob | LookJob | PinJob | ReadJob | AnswerJob | ReportJob} Job
+ * @typedef {RunJob | TraceJob | JudgeJob | LookJob | PinJob | ReadJob | AnswerJob | ReportJob} PythonJob
+ * @typedef {PythonJob | CppJob | CompileJob} Job
  * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | null}} File what a sandbox needed; null: it cannot be had
  * @typedef {Job | File} ToSandbox
  *
@@ -35,6 +37,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{links: [name: string, waits: string][], to: number}} Ring of waits; to: for whom the last waits, -1: no one
  * @typedef {{threads: string[], groups: string[], callbacks: [name: string, group: number][], steps: Step[],
  *   rings: Ring[]}} Scenes of a run; in ROS 1 there are no groups, and nothing is ready: each thread calls its own
+ * @typedef {{said: string, program: string}} CompileResult what the compiler said, and the program in base64; "": none
  * @typedef {{trace: string}} TraceResult
  * @typedef {"solved" | "not yet" | "open" | "to read" | "not judged"} Verdict
  * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string,
@@ -53,7 +56,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{text: string, why: string}} AnswerResult why: it cannot be judged
  * @typedef {{csv: string, hard: [exercise: string, answered: number, solved: number,
  *   hints: [hint: string, count: number][]][]}} ReportResult
- * @typedef {{run: RunResult, cpp: RunResult, trace: TraceResult, judge: JudgeResult, look: LookResult, pin: PinResult,
+ * @typedef {{run: RunResult, cpp: RunResult, compile: CompileResult, trace: TraceResult, judge: JudgeResult, look: LookResult, pin: PinResult,
  *   read: ReadResult, answer: AnswerResult, report: ReportResult}} Results by the kind of the job
  *
  * What a sandbox says; its last word on a job is that it has ended or failed:
@@ -263,6 +266,7 @@ function run(result) {
 const RESULTS = {
   run,
   cpp: run,
+  compile: object({ said: TEXT, program: text(LONGEST.compile.characters) }),
   trace: object({ trace: text(LONGEST.trace.characters) }),
   judge(result) {
     const known = JUDGE(result)

@@ -10,9 +10,11 @@ export { Sandbox }
  * @typedef {import("./protocol.js").Failed} Failed
  * @typedef {import("./protocol.js").Results} Results
  * @typedef {Omit<import("./protocol.js").RunJob, "kind"> & {exercise: string, program: string, ros: number}} Text to be run:
- *   a node, an answer to an exercise, or a node in C++, whose program has this SHA-256
+ *   a node, an answer to an exercise, or a node in C++, of a ROS, whose program has this SHA-256; "": it has to be compiled
  * @typedef {{verdict: string, solved: boolean, drive: string[]}} Judged the verdict in a line; "" if there is none
- * @typedef {import("./protocol.js").Word<"run"> | import("./protocol.js").End<Judged> | {kind: "begun"}} Told of that
+ * @typedef {{kind: "doing", said: string, share: number}} Doing before it begins; share: of what there is to do, -1: unknown
+ * @typedef {{kind: "faults", faults: import("./faults.js").Fault[]}} Faults in a text that does not compile
+ * @typedef {import("./protocol.js").Word<"run"> | import("./protocol.js").End<Judged> | {kind: "begun"} | Doing | Faults} Told
  * @typedef {{end(): void}} Run that goes on
  */
 
@@ -129,7 +131,7 @@ export function warmUp(answers, program) {
 export function start(job, hear) {
   const { exercise, program, ros, ...node } = job
   if (exercise) return answer(exercise, job.source, hear)
-  if (program) return runProgram(job, hear)
+  if (ros) return runInCpp(job, hear)
   const runner = runs.take()
   runner.do({ kind: "run", ...node }, hear)
   return runner
@@ -140,14 +142,28 @@ export function start(job, hear) {
  * @param {(message: Told) => void} hear
  * @returns {Run}
  */
-function runProgram({ program, ros, filename, seconds, args, speed }, hear) {
+function runInCpp(job, hear) {
+  const { program, ros, filename, seconds, args, speed } = job
   const runner = programs.take()
-  bring(program).then(
-    (bytes) => runner.do({ kind: "cpp", name: "program.gz", bytes, ros, filename, seconds, args, speed }, hear),
-    (error) => hear({ kind: "failed", reason: error instanceof Fault ? error.message : "The program could not be loaded. Is the site still there?" }),
+  let ended = false
+  const coming = program
+    ? bring(program).then((bytes) => ({ name: "program.gz", bytes }))
+    : import("./compiled.js").then(({ compiled }) => compiled(job, (message) => ended || hear(message)))
+  coming.then(
+    (found) => {
+      if (found && !ended) runner.do({ kind: "cpp", ...found, ros, filename, seconds, args, speed }, hear)
+    },
+    (error) => ended || hear({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED }),
   )
-  return runner
+  return {
+    end() {
+      ended = true
+      runner.end()
+    },
+  }
 }
+
+const NOT_LOADED = "What this needs could not be loaded. Is the site still there?"
 
 /**
  * Look at a log, of which the browser has these bytes; `hear(message)` is called with what comes of it. `end()` of what

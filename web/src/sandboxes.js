@@ -20,6 +20,7 @@ export const PYTHON = {
   late: ["python_stdlib.zip", "rosspin.zip"],
 }
 export const CPP = { script: "cpp.js", files: [], late: [] }
+export const COMPILER = { script: "clang.js", files: [], late: [] }
 
 /** @typedef {Promise<ArrayBuffer | null>} Coming */
 
@@ -120,7 +121,7 @@ export class Sandbox {
       for (const [each, promised] of coming) {
         const bytes = await promised
         await new Promise((go) => setTimeout(go)) // others wait for it, too, and each copy of it takes a moment
-        this.#pass(each, bytes)
+        this.pass(each, bytes)
       }
     } catch (error) {
       this.#start({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED })
@@ -133,10 +134,12 @@ export class Sandbox {
   }
 
   /**
+   * Give it a file.
+   *
    * @param {string} name
    * @param {ArrayBuffer | null} bytes
    */
-  #pass(name, bytes) {
+  pass(name, bytes) {
     this.#say({ kind: "file", name, bytes })
   }
 
@@ -156,14 +159,14 @@ export class Sandbox {
    * @param {string} name
    */
   async #give(name) {
-    if (!PYTHON.late.includes(name)) return this.#pass(name, null)
+    if (!PYTHON.late.includes(name)) return this.pass(name, null)
     if (!this.#missing.delete(name)) return
     const bytes = await load(name).catch(() => null)
     if (!bytes) {
       await new Promise((go) => setTimeout(go, AGAIN))
       this.#missing.add(name)
     }
-    this.#pass(name, bytes)
+    this.pass(name, bytes)
   }
 
   /**

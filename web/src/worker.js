@@ -202,7 +202,7 @@ function readable(file) {
  * Do a job, with the functions of rosspin.page: what came of it.
  *
  * @param {import("./protocol.js").PythonPage} python
- * @param {Exclude<import("./protocol.js").Job, import("./protocol.js").CppJob>} job
+ * @param {import("./protocol.js").PythonJob} job
  * @param {Page} page
  * @returns {Promise<import("./protocol.js").Results[keyof import("./protocol.js").Results]>}
  */
@@ -235,7 +235,7 @@ booting.then(
   (error) => fail(`Python could not be started: ${error}`),
 )
 
-addEventListener("message", async (/** @type {MessageEvent<Exclude<import("./protocol.js").ToSandbox, import("./protocol.js").CppJob>>} */ { data }) => {
+addEventListener("message", async (/** @type {MessageEvent<import("./protocol.js").PythonJob | import("./protocol.js").File>} */ { data }) => {
   if (data.kind === "file") return file(data.name).resolve(data.bytes)
   const python = await booting
   const page = new Page(say)

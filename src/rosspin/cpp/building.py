@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import atexit
 import fcntl
+import io
 import json
 import os
 import re
 import select
 import shutil
 import subprocess
+import tarfile
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from functools import cache
+from functools import cache, partial
 from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
@@ -24,7 +26,7 @@ from ..world.world import NotSimulated
 from . import headers
 from .cmake import companions
 
-__all__ = ["Built", "CompileError", "build", "build_together", "node_command"]
+__all__ = ["Built", "CompileError", "build", "build_together", "compiler", "node_command"]
 
 _HERE = Path(__file__).parent
 _JS = _HERE / "js"
@@ -207,6 +209,62 @@ def _explained(said: str) -> Exception:
     if (match := _MISSING.search(said)) and _SYSTEM.fullmatch(match[1]):
         return NotSimulated(match[1])
     return CompileError(said.strip())
+
+
+class Part(NamedTuple):
+    """A file that a page needs to compile: for nodes of which ROS (0: for either), its key, and what makes it."""
+
+    name: str
+    ros: int
+    key: str
+    make: Callable[[], bytes]
+
+
+def compiler() -> list[Part]:
+    """Return what a page needs to compile nodes: the compiler, what comes with it, and the stand-ins, as archives.
+
+    Each stand-in has a ``request.json`` with the words to ``compile`` a file NODE into the file made, and to ``link``
+    that, as 0.o, into the file made.
+    """
+    own = [Part("ros", ros, _stand_in(ros).key, partial(_of_page, ros)) for ros in _RUNTIME_OF]
+    version = json.loads((_CLANG / "package.json").read_text(encoding="utf-8"))["version"]
+    return [
+        Part("llvm", 0, f"llvm-{version}", (_CLANG / "gen/llvm.core.wasm").read_bytes),
+        Part("usr", 0, f"usr-{version}-{_digest(_NOT_NEEDED.pattern)}", _of_system),
+        *own,
+    ]
+
+
+# What the compiler brings of headers and libraries that no node needs.
+_NOT_NEEDED = re.compile(
+    r"(\./)?(share/.*|.*\.so|include/c\+\+/v1/__cxx03/.*|include/sanit\w+/.*"
+    r"|include/[^/]*(intrin|opencl|altivec|hexagon|hvx|vecin|cuda|hlsl|arm_|riscv|ppc)[^/]*)"
+)
+
+
+def _of_system() -> bytes:
+    with tarfile.open(_CLANG / "gen/llvm-resources.tar") as archive:
+        files = [(member.name, archive.extractfile(member)) for member in archive if member.isfile()]
+        return _archive({name: file.read() for name, file in files if file and not _NOT_NEEDED.fullmatch(name)})
+
+
+def _of_page(ros: int) -> bytes:
+    made = _made(ros, lambda: None)
+    files = {name: Path(file).read_bytes() for name, file in made.files.items()}
+    files |= {f"include/{name}": text.encode() for name, text in headers.carried(ros).items()}
+    words = _Step(Path(), ["-include-pch", "prelude.pch", "-c", "NODE"], {}).request()["args"]
+    link = ["wasm-ld", "0.o", *made.objects, *_LINK, "-o", "made"]
+    return _archive({**files, "request.json": json.dumps({"compile": words, "link": link}).encode()})
+
+
+def _archive(files: Mapping[str, bytes]) -> bytes:
+    stream = io.BytesIO()
+    with tarfile.open(fileobj=stream, mode="w", format=tarfile.USTAR_FORMAT) as archive:
+        for name, data in files.items():
+            entry = tarfile.TarInfo(name)
+            entry.size = len(data)
+            archive.addfile(entry, io.BytesIO(data))
+    return stream.getvalue()
 
 
 # --- what all nodes share ---

@@ -9,10 +9,11 @@ from pathlib import Path
 
 from ..messages.definitions import BUILTIN, Constant, Definition, Kind, Value
 from ..messages.library import Library
+from ..messages.library import carried as carried_definitions
 from ..messages.ros2 import Messages
 from .macros import ros1_macros, ros2_macros
 
-__all__ = ["included", "messages", "stand_ins"]
+__all__ = ["carried", "included", "messages", "stand_ins"]
 
 _FOLDER = Path(__file__).with_name("include")
 
@@ -79,6 +80,15 @@ def messages(names: Sequence[str], library: Library) -> dict[str, str]:
     Raises DefinitionError for a faulty definition.
     """
     return _made(names, library, stand_ins(library.ros))
+
+
+def carried(ros: int) -> dict[str, str]:
+    """Make the headers of all messages and services that rosspin carries."""
+    names = []
+    for folder, whole in carried_definitions(ros):
+        package, _, name = whole.partition("/")
+        names.append(f"{package}/{folder}/{_file(name)}.hpp" if ros == 2 else f"{package}/{name}.h")
+    return messages(names, Library(ros))
 
 
 def _made(names: Sequence[str], library: Library, known: Mapping[str, str]) -> dict[str, str]:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from .definitions import Definition, parse, split
 
-__all__ = ["FOLDERS", "Library"]
+__all__ = ["FOLDERS", "Library", "carried"]
 
 CARRIED = {1: ("noetic.txt", "noetic-services.txt"), 2: ("jazzy.txt", "jazzy-services.txt")}
 HEADING = re.compile(r"^=+\n(MSG|SRV|ACTION): (\w+/\w+)\n", re.MULTILINE)
@@ -159,6 +159,11 @@ class Library:
         if self._packages is None:
             self._packages = dict(_packages_around(self._folder)) if self._folder else {}
         return self._packages.get(name)
+
+
+def carried(ros: int) -> list[tuple[str, str]]:
+    """List all definitions that rosspin carries, each with its folder (msg, srv or action) and its name."""
+    return sorted(_carried(ros).texts)
 
 
 class _Carried(NamedTuple):

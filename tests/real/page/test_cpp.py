@@ -94,3 +94,46 @@ def test_a_program_that_is_another_one_is_not_run(context: BrowserContext, addre
     cell = Cell(page, 0, CPP)
     cell.run(2)
     assert "is not the one that belongs to this page" in cell.ends("error")
+
+
+# --- changed by the reader ------------------------------------------------------------------------------------------
+
+PERIOD = "timer_delta_t_in_seconds = 0.5;"
+
+
+def test_a_change_is_compiled_here(page: Page, address: str, tmp_path: Path) -> None:
+    """The compiler is kept, after its size was said; what it says is shown in the listing; a link carries a text."""
+    page.goto(f"{address}docs/tutorial.html?lang=cpp")
+    cell = Cell(page, 0, CPP)
+    file = EXAMPLES / TIMER["docs/tutorial.html?lang=cpp"]
+    text = file.read_text(encoding="utf-8")
+    assert PERIOD in text
+    cell.button("Edit").click()
+    expect(cell.status).to_contain_text("loads clang once: about 40 MB")
+    faster = text.replace(PERIOD, PERIOD.replace("0.5", "0.25"))
+    cell.write(faster)
+    cell.run(1)
+    node = tmp_path / "spinner_cpp_node.cpp"
+    node.write_text(faster, encoding="utf-8")
+    assert cell.ends("done: 4 ticks", 120_000) == COLOURS.sub("", simulate(node, 1).console)
+
+    cell.write(text.replace(PERIOD, PERIOD.replace(";", "")))
+    cell.run(1)
+    said = cell.ends("error", 60_000)
+    (line,) = [number for number, each in enumerate(text.splitlines(), 1) if PERIOD in each]
+    assert f"spinner_cpp_node.cpp:{line}:" in said and "A ; is missing" in said
+    expect(cell.element.locator(".live-fault")).to_have_text(re.compile(rf"{line}:\d+: expected ';'"))
+
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    cell.write(faster)
+    cell.button("Copy link").click()
+    cell.ends("the link is copied")
+    other = page.context.new_page()
+    asked: list[str] = []
+    other.on("request", lambda request: asked.append(request.url))
+    other.goto(page.evaluate("navigator.clipboard.readText()"))
+    received = Cell(other, 0, CPP)
+    expect(received.element.locator(".highlight pre")).to_have_text(faster)
+    received.run(1)
+    assert "counter = 4" in received.ends("done: 4 ticks", 120_000)
+    assert not [url for url in asked if "/clang/" in url and url.endswith(".gz")]

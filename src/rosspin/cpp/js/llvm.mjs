@@ -72,24 +72,25 @@ class File {
   }
 }
 
-/** Return the files of an archive, as a folder. */
-function unpacked(archive) {
-  const folder = new Folder()
+/** Return the files of an archive (tar), by their names. */
+export function unpacked(archive) {
+  const files = {}
   const text = (at, length) => decoder.decode(archive.subarray(at, at + length)).replace(/\0.*$/s, "")
   for (let at = 0; archive[at]; ) {
     const size = Number.parseInt(text(at + 124, 12), 8) || 0
     const name = text(at, 100).replace(/^\.\/|\/$/g, "")
-    if (archive[at + 156] !== 0x35) folder.put(name, new File(archive.subarray(at + 512, at + 512 + size)))
+    if (archive[at + 156] !== 0x35) files[name] = archive.subarray(at + 512, at + 512 + size)
     at += 512 + Math.ceil(size / 512) * 512
   }
-  return folder
+  return files
 }
 
 /** LLVM: `module` is its program, `archive` the headers and libraries that it brings, as a tar file of /usr. */
 export class Compiler {
   constructor(module, archive) {
     this.module = module
-    this.usr = unpacked(archive)
+    this.usr = new Folder()
+    for (const [path, bytes] of Object.entries(unpacked(archive))) this.usr.put(path, new File(bytes))
   }
 
   /**

@@ -1,0 +1,96 @@
+// Loaded when a node in C++ is to be compiled. The compiler runs in a sandbox of its own, and serves the next node, too.
+
+import { advice, faults } from "./faults.js"
+import { Fault, loadCompiler } from "./files.js"
+import { COMPILER, Sandbox } from "./sandboxes.js"
+
+/** @typedef {import("./runs.js").Text} Text */
+/** @typedef {import("./runs.js").Told} Told */
+/** @typedef {import("./runs.js").Doing} Doing */
+
+/** @type {{ros: number, sandbox: Promise<Sandbox>} | null} the compiler, for one ROS: it takes much memory */
+let compiler = null
+
+/**
+ * @param {number} ros
+ * @param {(message: Doing) => void} hear
+ */
+function startCompiler(ros, hear) {
+  if (compiler?.ros === ros) return compiler.sandbox
+  compiler?.sandbox.then((sandbox) => sandbox.end(), () => {})
+  const tell = (/** @type {number} */ loaded, /** @type {number} */ total) =>
+    hear({ kind: "doing", said: `loading clang: ${Math.floor(loaded / 1e6)} of ${Math.ceil(total / 1e6)} MB`, share: loaded / total })
+  const sandbox = loadCompiler(ros, tell).then(async (files) => {
+    const made = new Sandbox(COMPILER)
+    const message = await made.started
+    if (message.kind === "failed") throw new Fault(message.reason)
+    for (const [name, bytes] of files) made.pass(name, bytes)
+    return made
+  })
+  compiler = { ros, sandbox }
+  sandbox.catch(() => (compiler = null))
+  return sandbox
+}
+
+/** @type {Promise<unknown>} until the compiler has done what it was asked: one thing after the other */
+let compiling = Promise.resolve()
+
+/**
+ * @param {Sandbox} sandbox
+ * @param {string} text
+ * @param {string} filename
+ * @returns {Promise<import("./protocol.js").CompileResult>}
+ */
+const compile = (sandbox, text, filename) =>
+  new Promise((resolve, reject) =>
+    sandbox.do({ kind: "compile", text, filename }, (message) => {
+      if (message.kind === "end") resolve(message.result)
+      if (message.kind === "failed") {
+        compiler = null
+        sandbox.end()
+        reject(new Fault(message.reason))
+      }
+    }),
+  )
+
+/**
+ * The program of a node; null: it does not compile, which is then told.
+ *
+ * @param {Text} job
+ * @param {(message: Told) => void} hear
+ * @returns {Promise<{name: string, bytes: ArrayBuffer} | null>}
+ */
+export async function compiled(job, hear) {
+  try {
+    return await compileFor(job, hear)
+  } catch (error) {
+    hear({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED })
+    return null
+  }
+}
+
+const NOT_LOADED = "The compiler could not be loaded. Is the site still there?"
+
+/**
+ * @param {Text} job
+ * @param {(message: Told) => void} hear
+ */
+async function compileFor({ source, filename, ros }, hear) {
+  const sandbox = await startCompiler(ros, hear)
+  const before = compiling
+  const result = before.then(() => {
+    hear({ kind: "doing", said: "compiling", share: -1 })
+    return compile(sandbox, source, filename)
+  })
+  compiling = result.catch(() => {})
+  const { said, program } = await result
+  if (program) return { name: "program", bytes: Uint8Array.from(atob(program), (character) => character.charCodeAt(0)).buffer }
+  const texts = [said, advice(said)].filter(Boolean)
+  hear({ kind: "batch", chunks: texts.map((text, number) => [true, `${text.trimEnd()}\n`, number, 0]), leftOut: 0, ticks: [] })
+  hear({ kind: "faults", faults: faults(said, filename) })
+  hear({ kind: "end", result: { ...NOTHING, ticks: [], lost: [], chunks: [], drive: [] } })
+  return null
+}
+
+/** What comes of a node that does not compile. */
+const NOTHING = /** @type {const} */ ({ status: 1, errors: 0, count: 0, end: 0, alternative: "", scenes: null })

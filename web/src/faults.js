@@ -1,0 +1,51 @@
+// What the compiler says of a node in C++, as places in it; the first of these explained, where it is one of the mistakes that
+// are made most.
+
+/** @typedef {{line: number, column: number, text: string}} Fault in a listing, counted from 1 */
+
+/** What is said, and what it means. */
+const ADVICE = /** @type {const} */ ([
+  [/expected ';'/, "A ; is missing: at the end of this line, or of the one before it."],
+  [
+    /'this' cannot be implicitly captured/,
+    "A lambda knows the object that it is made in only if you give it that: write [this] in place of [].",
+  ],
+  [
+    /no matching (member )?function for call to '(create\w*|subscribe)'|to object of type '.*lambda|a callback of a subscription takes|'detail::Adapter<.*' is not a class/,
+    "The callback does not fit what calls it: compare its parameters. A timer of ROS 1 calls it with a const " +
+      "ros::TimerEvent&, one of ROS 2 with nothing, and a subscription with the message, as a const reference to its type.",
+  ],
+])
+
+/**
+ * The errors in a node that the compiler has named.
+ *
+ * @param {string} said
+ * @param {string} filename
+ * @returns {Fault[]}
+ */
+export function faults(said, filename) {
+  /** @type {Fault[]} */
+  const found = []
+  let text = "" // of an error in a header, until its place in the node is named
+  for (const line of said.split("\n")) {
+    const [, file, at, column, kind, what] = line.match(/^(.*?):(\d+):(\d+): (?:fatal )?(error|note): (.*)$/) ?? []
+    if (kind === "error") text = what
+    const lambda = kind === "error" && file !== filename ? what.split("(lambda at ")[1]?.split(")")[0].split(":") : undefined
+    const [where, number, place] = lambda ?? [file, at, column]
+    if (!text || where !== filename) continue
+    found.push({ line: Number(number), column: Number(place), text })
+    text = ""
+  }
+  return found
+}
+
+/**
+ * What the first error means; "" if that is none of those.
+ *
+ * @param {string} said
+ */
+export function advice(said) {
+  const [first = ""] = said.match(/^.*:\d+: (?:fatal )?error: .*$/m) ?? []
+  return ADVICE.find(([pattern]) => pattern.test(first))?.[1] ?? ""
+}
