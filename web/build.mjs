@@ -82,7 +82,7 @@ for (const name of existsSync(lessons) ? readdirSync(lessons).sort() : []) {
 }
 // The answers come last, and are no one's business there.
 for (const name of Object.keys(files).filter((name) => name.startsWith("rosspin/exercises/own/"))) {
-  files[name] = Buffer.from(files[name].toString().replace(/^RIGHT = [^]*$/m, "RIGHT = WRONG = ()\n"))
+  files[name] = Buffer.from(files[name].toString().replace(/^(SOLUTION|RIGHT) = [^]*$/m, "RIGHT = WRONG = ()\n"))
 }
 writeFileSync(path.join(out, "rosspin.zip"), zipSync(files, { level: 9, mtime: new Date(1980, 0) }))
 

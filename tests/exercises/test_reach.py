@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 from answers import CELLS, NAMES, answer_in, written
-from answers_ros1 import RIGHT as RIGHT_ANSWERS
-from answers_ros1 import WRONG as WRONG_ANSWERS
+from answers import RIGHT as RIGHT_ANSWERS
+from answers import WRONG as WRONG_ANSWERS
 
 from rosspin.exercises.reach import reaches_for
 

@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 import re
+from types import SimpleNamespace
 from typing import Any
 
+import answers_ros1
 import jupytext
 from answers_ros1 import Answer
 from tree import ROOT
 
 from rosspin.exercises import EXERCISES
+from rosspin.exercises.own import LESSONS
 
 NAMES = [exercise.name for exercise in EXERCISES if exercise.part]  # a teacher's own have answers of their own
+
+FILES = {lesson.exercise.name: lesson for lesson in LESSONS if lesson.exercise.name in NAMES}
+
+TASKS = [lesson for lesson in LESSONS if "own" in lesson.file.parts and lesson.exercise.name not in NAMES]
 
 NOTEBOOKS = {1: ROOT / "notebooks" / "exercises.md", 2: ROOT / "notebooks" / "ros2-exercises.md"}
 
@@ -19,8 +26,11 @@ ON_PAGE = {ros: [exercise.name for exercise in EXERCISES if exercise.ros == ros 
 
 
 def _cells() -> dict[str, list[Any]]:
-    """The cells of each exercise in the notebooks that hold an answer."""
+    """The cells of each exercise that hold an answer: in the notebooks, or made from its file."""
     found: dict[str, list[Any]] = {name: [] for name in NAMES}
+    for name, file in FILES.items():
+        texts = file.node, file.changed
+        found[name] = [SimpleNamespace(source=f"%%answer {name}\n{text.rstrip()}") for text in texts]
     for notebook in NOTEBOOKS.values():
         for cell in jupytext.read(notebook).cells:
             if match := re.match(r"%%answer (\S+)\n", cell.source):
@@ -39,6 +49,8 @@ def answer_in(cell: Any) -> str:
 
 def written(name: str, answer: Answer) -> str:
     """An answer as a text."""
+    if name in FILES:
+        return FILES[name].written(answer)
     if isinstance(answer, str):
         return answer
     text = answer_in(CELLS[name][1])
@@ -53,6 +65,8 @@ PAGES = {ros: notebook.read_text(encoding="utf-8") for ros, notebook in NOTEBOOK
 
 def section(name: str) -> str:
     """The text of an exercise on the page."""
+    if name in FILES:
+        return f"{FILES[name].text}\n\n"
     exercise = EXERCISES[number_of(name) - 1]
     rest = PAGES[exercise.ros].partition(f"### {exercise.number}. ")[2]
     return re.split(r"^##+ ", rest, maxsplit=1, flags=re.MULTILINE)[0]
@@ -87,3 +101,7 @@ def late_listener(variable: str) -> str:
         assert node.count(sides[side]) == 1
         node = node.replace(sides[side], sides[side].replace("10", profile.strip()))
     return f"from rclpy.qos import DurabilityPolicy, QoSProfile\n{node}"
+
+
+RIGHT = answers_ros1.RIGHT | {name: list(file.right[1:]) for name, file in FILES.items()}
+WRONG = answers_ros1.WRONG | {name: [(*wrong, "")[:3] for wrong in file.wrong] for name, file in FILES.items()}

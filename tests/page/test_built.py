@@ -171,6 +171,7 @@ def test_the_scripts_are_loaded_where_they_are_needed(site: Path) -> None:
     asks = re.compile(r"^%%answer |^```\{exercise\} ", re.MULTILINE)
     asking = {f"notebooks/{path.stem}.html" for path in notebooks if asks.search(path.read_text(encoding="utf-8"))}
     assert EXERCISES in asking
+    asking |= {path.relative_to(site).as_posix() for path in site.glob("exercises/*.html")}
     assert found == {"hand-in": asking, "judge": {TEACHERS}}
 
 

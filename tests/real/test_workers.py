@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, written
-from answers_ros1 import WRONG
+from answers import CELLS, WRONG, written
 from bs4 import BeautifulSoup
 from distributed import Client, LocalCluster
 from planted_orders import PLANTS

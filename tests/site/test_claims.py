@@ -11,7 +11,7 @@ from built_pages import parsed
 from commands import PAGES
 from tree import ROOT
 
-from rosspin.exercises.questions import EXERCISES
+from rosspin.exercises import EXERCISES
 
 TEXTS = [*PAGES, ROOT / "README.md"]
 COURSES = [(2, "I am taking the course on ROS 2"), (2, "I know ROS 1 and move to ROS 2")]

@@ -5,17 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from answers import TASKS
 from bs4 import BeautifulSoup
 from built_pages import parsed
 from tree import SITE
 
 from rosspin.exercises import EXERCISES
-from rosspin.exercises.own import LESSONS
 from rosspin.site.exercise_pages import difference
 
 pytestmark = pytest.mark.usefixtures("site")
 
-DRIVEN = [lesson.exercise.name for lesson in LESSONS if "own" in lesson.file.parts]
+DRIVEN = [task.exercise.name for task in TASKS]
 LISTS = {
     "notebooks/ros2-exercises": [each.name for each in EXERCISES if each.ros == 2 and each.part],
     "notebooks/exercises": [each.name for each in EXERCISES if each.ros == 1 and each.part],

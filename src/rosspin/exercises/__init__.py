@@ -16,8 +16,7 @@ from typing import Any, NamedTuple
 from ..vehicle.drawn import drawn
 from .feedback import Feedback, Finding
 from .judging import Answer, Fails
-from .questions import EXERCISES as _OF_THE_SITE
-from .questions import Exercise
+from .questions import PARTS, QUESTIONS, Exercise
 from .reach import reaches_for
 from .running import Runner
 from .seen import Seen
@@ -181,8 +180,7 @@ def _find(exercise: Exercise, answer: Answer) -> list[Finding]:
 # These import what is above.
 from .own import LESSONS  # noqa: E402
 
-EXERCISES: tuple[Exercise, ...] = (
-    *_OF_THE_SITE,
-    *(each.exercise._replace(number=number) for number, each in enumerate(LESSONS, len(_OF_THE_SITE) + 1)),
-)
-"""All exercises: those of the site, and then those of the teacher."""
+_others = QUESTIONS | {lesson.exercise.name: lesson.exercise for lesson in LESSONS}
+_listed = [_others.pop(name)._replace(ros=ros, part=part) for ros, part, names in PARTS for name in names]
+EXERCISES = tuple(each._replace(number=number) for number, each in enumerate([*_listed, *_others.values()], 1))
+"""All exercises: those of the two lists, those that drive the vehicle, and then those of the teacher."""

@@ -1,10 +1,11 @@
-"""The exercises of ``notebooks/exercises.md`` and ``notebooks/ros2-exercises.md``, each with its judge.
+"""The lists ``notebooks/exercises.md`` and ``notebooks/ros2-exercises.md``, and the exercises without a file.
 
 A test compares the right numbers of a prediction with a run of the node on its page.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -12,7 +13,7 @@ from . import judges as by
 from .judging import Judge
 from .predictions import chosen, predicted
 
-__all__ = ["EXERCISES", "Exercise"]
+__all__ = ["PARTS", "QUESTIONS", "Exercise"]
 
 
 class Exercise(NamedTuple):
@@ -236,20 +237,9 @@ _PUBLISH = {
     ),
 }
 
-# --- ROS 2: start -----------------------------------------------------------------------------------------------------
+# --- ROS 2: predict ---------------------------------------------------------------------------------------------------
 
-_STOPS_ALL = "Stop one timer, and no more: what ends the node, or keeps its callback from returning, stops them all."
-_DECLARED = 'The parameter is called "frequency". Its name has no `~` in ROS 2, and it is declared before it is read.'
-_IN_SECONDS = 'The parameter is called "period". Is it what the timer is given, in seconds?'
-
-_START_2 = {
-    "make-it-10-hz": Exercise(
-        title="Make it 10 Hz",
-        needs=("notebooks/ros2-timer",),
-        reveals="A timer is given a frequency.",
-        hint="`create_timer` takes a period in seconds, not a frequency: the period is 1 / frequency.",
-        judge=by.run(1.0, by.ticks(0.1)),
-    ),
+_PREDICT_2 = {
     "first-call": Exercise(
         title="When the first call comes",
         needs=("notebooks/ros2-timer",),
@@ -257,66 +247,6 @@ _START_2 = {
         hint="Does a timer call back before it has waited? What does the loop do before it sleeps?",
         judge=predicted("first-call"),
     ),
-    "two-timers": Exercise(
-        title="Give a node two timers",
-        needs=("notebooks/ros2-timer",),
-        reveals="Two rates need two nodes.",
-        hint="A node can have as many timers as it likes, each with its own period, callback and counter.",
-        judge=by.run(
-            2.0,
-            by.ticks(0.1, "`[FAST]`", "FAST"),
-            by.ticks(0.5, "`[SLOW]`", "SLOW"),
-            by.have_timers_of_their_own("FAST", "SLOW"),
-        ),
-    ),
-    "call-back-once": Exercise(
-        title="Call back once",
-        needs=("notebooks/ros2-timer",),
-        reveals="A timer stops when its callback returns early. `rclpy.shutdown()` stops a timer.",
-        hint="Keep the timer in `self.timer`, and call its `cancel()` in the callback.",
-        judge=by.run(
-            6.0,
-            by.ticks(at=[1.5]),
-            by.ticks(1.0, "The heartbeat", "HEARTBEAT", _STOPS_ALL),
-            by.stops(1, "a timer of the node"),
-        ),
-    ),
-    "period-parameter": Exercise(
-        title="Take the period from a parameter",
-        needs=("docs/ros2/tutorial", "notebooks/ros2-timer", "docs/how-to/frequency-from-parameter"),
-        reveals="A parameter can be read without being declared. A timer refuses a period of 0.",
-        hint="`self.declare_parameter(name, default).value` is a parameter's value. Look at it before you make the "
-        "timer.",
-        judge=by.every(
-            by.run(2.0, by.ticks(0.5), when="Without the parameter"),
-            by.until_wrong(
-                by.run(1.0, by.ticks(0.1, hint=_IN_SECONDS), by.declares("period"), given="period:=0.1"),
-                by.run(5.0, by.ticks(2.0, hint=_IN_SECONDS), given="period:=2.0"),
-                by.every(
-                    by.ending(1.0, by.refuses("period"), given="period:=0.0"),
-                    by.ending(1.0, by.refuses("period"), given="period:=-1.0"),
-                ),
-            ),
-        ),
-    ),
-    "move-to-ros-2": Exercise(
-        title="Move a node to ROS 2",
-        needs=("docs/ros2/tutorial", "docs/ros2/from-ros-1"),
-        reveals="To move a node is to rename what it imports. A timer passes its callback an event in ROS 2, too.",
-        hint="A class of `Node` makes the timer: `self.create_timer(period, callback)`. `rclpy.init()` comes first, "
-        "`rclpy.spin(node)` last.",
-        judge=by.every(
-            by.run(2.0, by.ticks(0.5), when="Without the parameter"),
-            by.run(1.0, by.ticks(0.1, hint=_DECLARED), by.declares("frequency"), given="frequency:=10.0"),
-            by.run(4.0, by.ticks(1.25, hint=_DECLARED), given="frequency:=0.8"),
-        ),
-    ),
-}
-
-# --- ROS 2: predict ---------------------------------------------------------------------------------------------------
-
-
-_PREDICT_2 = {
     "who-calls": Exercise(
         title="Who calls the callback",
         needs=("notebooks/ros2-timer",),
@@ -332,132 +262,12 @@ _PREDICT_2 = {
         "0.8, 1.2?",
         judge=predicted("slow-timer"),
     ),
-}
-
-# --- ROS 2: publish ---------------------------------------------------------------------------------------------------
-
-_QUEUE = "The last argument of `create_subscription` says how many messages may wait there."
-
-_PUBLISH_2 = {
-    "publish-a-counter": Exercise(
-        title="Publish a counter",
-        needs=("docs/ros2/publish", "notebooks/ros2-publish"),
-        reveals="A number is a message. A publisher can be made when it is needed.",
-        hint='Make a `self.create_publisher(UInt32, "counter", 10)` in `__init__`, and let the callback publish.',
-        judge=by.published_and_heard,
-    ),
     "late-listener": Exercise(
         title="What a late subscriber hears",
         needs=("docs/ros2/publish", "notebooks/ros2-publish"),
         reveals="What is published waits for its subscribers.",
         hint="Who keeps a message that was published before anybody subscribed?",
         judge=predicted("late-listener", asked="counters"),
-    ),
-    "match-the-qos": Exercise(
-        title="Make both ends match",
-        needs=("docs/ros2/publish", "notebooks/ros2-publish"),
-        reveals="The same topic and the same type are enough to connect.",
-        hint="The warnings name the policy that does not match. The subscription asks for more than the sensor offers.",
-        judge=by.run(5.0, by.hears_all(0.5, "best_effort, volatile, depth 5")),
-    ),
-    "only-the-newest": Exercise(
-        title="Listen to the newest only",
-        needs=("notebooks/ros2-publish", "notebooks/ros2-executors"),
-        reveals="A subscription always gets the newest message. It is the publisher's queue that has to be short.",
-        hint=_QUEUE,
-        judge=by.run(10.0, by.steers_by_the_newest("reliable, volatile, depth 10")),
-    ),
-}
-
-# --- ROS 2: wait ------------------------------------------------------------------------------------------------------
-
-_STARVED = (
-    "While the camera's callback runs, a single-threaded executor calls nothing, and no executor calls what is in the "
-    "same mutually exclusive group. A node's timers are in one such group unless you give them others."
-)
-_COMMANDED = by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(_STARVED))
-_RING = (
-    "The lines that begin with `rosspin:` say who waits, for what, and who would give that. While a callback waits, it "
-    "keeps its thread and its callback group."
-)
-_SERVING = (
-    "While the camera takes a picture, a single-threaded executor calls nothing, and no executor calls what is in the "
-    "same mutually exclusive group. All callbacks of a node are in one such group unless you give them others."
-)
-_ONE_BY_ONE = "A camera takes one picture at a time, and takes its time for it. Calls of one group do not overlap."
-
-_WAIT_2 = {
-    "starving-neighbour": Exercise(
-        title="Free a starving neighbour",
-        needs=("notebooks/ros2-executors",),
-        reveals="Timers of one node do not disturb each other. A MultiThreadedExecutor alone lets callbacks run at the "
-        "same time.",
-        hint="It takes two things: a `MultiThreadedExecutor`, and a callback group of its own for each timer.",
-        judge=by.until_wrong(
-            by.run(5.0, _COMMANDED, by.one_image_at_a_time(0.6), given="takes:=0.6"),
-            by.run(5.0, _COMMANDED, by.one_image_at_a_time(1.3), given="takes:=1.3"),
-            by.shaken(2, 5.0, _COMMANDED, by.one_image_at_a_time(0.6), given="takes:=0.6"),
-        ),
-    ),
-    "ask-without-hanging": Exercise(
-        title="Ask without hanging",
-        needs=("notebooks/ros2-services", "docs/how-to/why-does-it-hang"),
-        reveals="A callback may wait for an answer. `call_async` returns the answer.",
-        hint="Ask with `call_async`. Print in a function that you give to the future's `add_done_callback`.",
-        judge=by.goes_on(
-            4.3,
-            by.answered("/take_picture", at=[1.0, 2.0, 3.0, 4.0], hint=_RING),
-            by.ticks(1.0, "The pictures", "CAMERA", _RING),
-            by.ticks(0.5, "The heartbeat", "HEARTBEAT", _RING),
-            hint=_RING,
-        ),
-    ),
-    "let-a-callback-wait": Exercise(
-        title="Let a callback wait",
-        needs=("notebooks/ros2-executors", "docs/how-to/why-does-it-hang"),
-        reveals="More threads are enough to let a callback wait. A callback group of its own is enough.",
-        hint="It takes two things: a `MultiThreadedExecutor`, and a callback group of its own for the callback that "
-        "waits.",
-        judge=by.goes_on(
-            3.6,
-            by.answered("/left_eye", 0.1, at=[1.0, 2.0, 3.0], hint=_RING),
-            by.answered("/right_eye", 0.1, at=[1.1, 2.1, 3.1], hint=_RING),
-            by.ticks(1.0, "The robot", "ROBOT", _RING, start=1.2),
-            hint=_RING,
-        ),
-    ),
-    "slow-service": Exercise(
-        title="Keep a timer on time beside a slow service",
-        needs=("notebooks/ros2-services", "notebooks/ros2-executors"),
-        reveals="A service runs beside the other callbacks of its node. Only who asks has to wait for a slow service.",
-        hint="It takes two things: a `MultiThreadedExecutor`, and a callback group in which the service does not keep "
-        "the motor waiting.",
-        judge=by.until_wrong(
-            *(
-                by.goes_on(
-                    5.05,
-                    by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(_SERVING)),
-                    by.answered(
-                        "/take_picture",
-                        takes,
-                        least=least,
-                        hint="Each request is to be answered, in its turn.",
-                        overlap=_ONE_BY_ONE,
-                    ),
-                    given=f"takes:={takes}",
-                    hint=_RING,
-                )
-                for takes, least in ((0.35, 5), (1.3, 4))
-            )
-        ),
-    ),
-    "cancel-a-goal": Exercise(
-        title="Cancel a goal",
-        needs=("notebooks/ros2-services",),
-        reveals="Whoever cancels a goal stops the server. A goal can be cancelled unless the server refuses.",
-        hint="A server is asked whether a goal may be cancelled, by its `cancel_callback`; then it has to stop by "
-        "itself, and say `goal.canceled()`.",
-        judge=by.cancels,
     ),
     "find-the-order": Exercise(
         title="Find the order in which it fails",
@@ -468,52 +278,30 @@ _WAIT_2 = {
     ),
 }
 
-# --- ROS 2: end -------------------------------------------------------------------------------------------------------
-
-_SWALLOWED = "Catch what a signal raises, and nothing else: an error is to end the node with its traceback."
-_drives_until_2 = partial(
-    by.drives_until,
-    again="Stop the motor last, when no callback can run any more: after `spin`, in a `finally`.",
-    late=_SWALLOWED,
-)
-
-_END_2 = {
-    "wake-a-rate": Exercise(
-        title="Wake a Rate that sleeps for ever",
-        needs=("notebooks/ros2-rate", "docs/ros2/how-timing-works"),
-        reveals="A Rate needs no thread that spins. Ctrl-C wakes every thread that sleeps.",
-        hint="A Rate is a timer that wakes the thread in `sleep()`: while one thread sleeps, another has to spin.",
-        judge=by.makes_passes_until_signalled,
-    ),
-    "end-without-a-traceback": Exercise(
-        title="End without a traceback",
-        needs=("docs/ros2/tutorial", "docs/ros2/how-timing-works"),
-        reveals="Ctrl-C makes `rclpy.spin` return. What stands after `spin` is done in any case.",
-        hint="`try:` around `spin`, `except (KeyboardInterrupt, ExternalShutdownException): pass`, and in a `finally:` "
-        "what must be done in any case.",
-        judge=by.every(
-            by.run(2.08, _drives_until_2(2.08), by.ends_well, when="Ctrl-C while the node waits"),
-            by.run(2.03, _drives_until_2(2.03), by.ends_well, when="Ctrl-C while the sensor is read"),
-            by.ending(5.08, _drives_until_2(2.08), by.ends_at_sigterm(2.08), when="SIGTERM", terminated_at=2.08),
-            by.ending(5.0, _drives_until_2(1.06), by.fails(_SWALLOWED), given="fails_at:=10", when="The sensor fails"),
-        ),
-    ),
-}
-
 # --- all of them ------------------------------------------------------------------------------------------------------
 
-_PARTS = (
-    (2, "Start", _START_2),
-    (2, "Predict", _PREDICT_2),
-    (2, "Publish", _PUBLISH_2),
+_WAIT_2 = (
+    *("starving-neighbour", "ask-without-hanging", "let-a-callback-wait", "slow-service", "cancel-a-goal"),
+    "find-the-order",
+)
+PARTS: Sequence[tuple[int, str, Iterable[str]]] = (
+    (
+        *(2, "Start"),
+        ("make-it-10-hz", "first-call", "two-timers", "call-back-once", "period-parameter", "move-to-ros-2"),
+    ),
+    (2, "Predict", ("who-calls", "slow-timer")),
+    (2, "Publish", ("publish-a-counter", "late-listener", "match-the-qos", "only-the-newest")),
     (2, "Wait", _WAIT_2),
-    (2, "End", _END_2),
+    (2, "End", ("wake-a-rate", "end-without-a-traceback")),
     (1, "Predict", _PREDICT),
     (1, "Change", _CHANGE),
     (1, "Diagnose", _DIAGNOSE),
     (1, "Publish", _PUBLISH),
 )
-_ALL = [question._replace(ros=ros, part=part, name=name) for ros, part, of in _PARTS for name, question in of.items()]
+"""The exercises of the two lists, by ROS and part, in their order. Each of the others is a file in ``own``."""
 
-EXERCISES = tuple(exercise._replace(number=number) for number, exercise in enumerate(_ALL, 1))
-"""All exercises, those on ROS 2 first, numbered in the order of their pages."""
+QUESTIONS = {
+    name: each._replace(name=name)
+    for of in (_PREDICT_2, _PREDICT, _CHANGE, _DIAGNOSE, _PUBLISH)
+    for name, each in of.items()
+}

@@ -24,7 +24,7 @@ from sphinx.util.typing import ExtensionMetadata
 from ..exercises import EXERCISES
 from .claims import MIME, Stale, report
 from .doctests import stale_examples
-from .lessons import counted, stale_files, stale_lessons
+from .lessons import counted, shown_on, stale_files, stale_lessons
 from .notes import note, noted
 from .outputs import stale_copies, stale_picture, write
 
@@ -138,7 +138,7 @@ def _not_yet(output: dict[str, Any]) -> str:
 def missing_exercises(root: Path) -> Iterator[Stale]:
     """Yield the exercises that have a check but no answer on their page in ``root``/notebooks."""
     for page in sorted(root.glob("notebooks/*.md")):
-        found = re.findall(r"^%%answer (\S+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+        found = shown_on(page.read_text(encoding="utf-8"))
         of_site = [exercise for exercise in EXERCISES if exercise.part]
         on_page = {exercise.ros for exercise in of_site if exercise.name in found}
         for exercise in of_site:

@@ -22,7 +22,7 @@ from .claims import Stale
 from .exercise_pages import difference
 from .notes import note
 
-__all__ = ["counted", "setup", "stale_files", "stale_lessons"]
+__all__ = ["counted", "setup", "shown_on", "stale_files", "stale_lessons"]
 
 # So many answers an exercise has at least, for its check to be believed.
 _RIGHT, _WRONG = 2, 3
@@ -34,6 +34,11 @@ _NUMBERS = "no one two three four five six seven eight nine ten eleven twelve th
 _NUMBERS += "seventeen eighteen nineteen twenty".split()
 _WORDS = "|".join([*(f"twenty-{each}" for each in _NUMBERS[1:10]), *_NUMBERS])
 _COUNTED = re.compile(rf"\b({_WORDS}|\d+)\s+exercises?\b")
+
+
+def shown_on(page: str) -> list[str]:
+    """Return the exercises on a page, by its source."""
+    return _SHOWN.findall(page)
 
 
 class ExerciseDirective(SphinxDirective):
@@ -58,7 +63,10 @@ class ExerciseDirective(SphinxDirective):
         for number, hint in enumerate(lesson.hints, 1):
             shown += self._folded(f"Hint {number}", self.parse_text_to_nodes(hint))
         if "solution" in self.options and lesson.right:
-            shown += self._folded("Show the solution", [difference(lesson.node, lesson.written(lesson.right[0]))])
+            shown += self._folded(
+                "Show the solution",
+                [difference(lesson.node, lesson.written(lesson.right[0])), *self.parse_text_to_nodes(lesson.after)],
+            )
         return [nodes.container("", *shown, classes=["exercise"], ids=[lesson.exercise.name])]
 
     @staticmethod
@@ -76,7 +84,7 @@ def _changed(app: Sphinx, env: BuildEnvironment, *pages: set[str]) -> list[str]:
     names = {**before, **now}  # whose numbers are others if there are more or fewer
     changed = {name for name in names if before.keys() != now.keys() or before[name] != now[name]}
     shown = _pages(Path(app.srcdir)) if changed else ()
-    found = {app.project.path2doc(page) for page, text in shown if changed.intersection(_SHOWN.findall(text))}
+    found = {app.project.path2doc(page) for page, text in shown if changed.intersection(shown_on(text))}
     return sorted(page for page in found if page in env.found_docs)
 
 
@@ -92,7 +100,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
 
 def stale_lessons(root: Path) -> Iterator[Stale]:
     """Yield what a teacher's exercises lack: what their files say is run, and looked for on the pages."""
-    shown = {name for _, text in _pages(root) for name in _SHOWN.findall(text)}
+    shown = {name for _, text in _pages(root) for name in shown_on(text)}
     for fault in FAULTS:
         yield Stale(os.path.relpath(fault.file, root), fault.line, fault.stands, fault.now)
     for lesson in (each for each in LESSONS if each.file.parent == FOLDER):  # the site's own have tests
@@ -125,7 +133,7 @@ def _misjudged(lesson: Lesson, text: str) -> Iterator[tuple[str | int, str, str]
         return
     wanted: list[tuple[str, str, Answer, bool, str]] = [("NODE", "NODE", lesson.node, False, "")]
     wanted += [("RIGHT", f"RIGHT[{number}]", right, True, "") for number, right in enumerate(lesson.right)]
-    wanted += [("WRONG", f"WRONG[{n}]: {part}", wrong, False, part) for n, (wrong, part) in enumerate(lesson.wrong)]
+    wanted += [("WRONG", f"WRONG[{n}]: {part}", wrong, False, part) for n, (wrong, part, *_) in enumerate(lesson.wrong)]
     failed = set()
     for what, stands, answer, right, part in wanted:
         try:
@@ -163,7 +171,7 @@ def _line(text: str, name: str) -> int:
 def counted(root: Path) -> Iterator[Stale]:
     """Yield the sentences that count the exercises on their page, and miscount."""
     for page, text in _pages(root):
-        there = len(dict.fromkeys(_SHOWN.findall(text)))
+        there = len(dict.fromkeys(shown_on(text)))
         found = _COUNTED.search(text)
         if there and found and there != _number(found[1]):
             line = text.count("\n", 0, found.start()) + 1

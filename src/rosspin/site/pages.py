@@ -585,6 +585,11 @@ def name_exercises(app: Sphinx, page: nodes.document) -> None:
             section: Any = listing.parent
             while not isinstance(section, nodes.section) and "exercise" not in section["classes"]:
                 section = section.parent
+            above = section.parent
+            if "exercise" in section["classes"] and above[0].astext().endswith(section[0].astext().partition(": ")[2]):
+                place = above.index(section)  # the heading is on the page, and not that of the directive
+                above[place : place + 1] = section.children[1:]
+                section = above
             labels.note_hyperlink_target(match[1], app.env.docname, match[1])
             if match[1] not in section["ids"]:
                 section["ids"].append(match[1])

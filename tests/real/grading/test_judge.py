@@ -16,8 +16,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from answers import CELLS, NAMES, answer_in, written
-from answers_ros1 import WRONG
+from answers import CELLS, NAMES, WRONG, answer_in, written
 from command_line import NEVER
 
 from rosspin.__main__ import main

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import pytest
+from answers import TASKS
 from axe import in_both_schemes
 from listings_in_page import Cell, open_exercise
 from looks import TOO_WIDE
 from playwright.sync_api import Page, expect
 
 from rosspin.exercises import EXERCISES, check
-from rosspin.exercises.own import LESSONS, Lesson
+from rosspin.exercises.own import Lesson
 
 PAGE = "notebooks/drive.html"
-TASKS = [lesson for lesson in LESSONS if "own" in lesson.file.parts]
 
 ANYWHERE = "The vehicle drives 15.0 m in 8 s and leaves its line by 1.4 m, at 4.8 s. Commands: 16 from /driver_py_node."
 

@@ -147,7 +147,7 @@ def test_an_exercise_without_a_page_and_answers_above_the_check(site: Path) -> N
 def test_the_page_is_given_no_answers() -> None:
     """It has what is above RIGHT."""
     script = (ROOT / "web/build.mjs").read_text(encoding="utf-8")
-    assert r'replace(/^RIGHT = [^]*$/m, "RIGHT = WRONG = ()\n")' in script
+    assert r'replace(/^(SOLUTION|RIGHT) = [^]*$/m, "RIGHT = WRONG = ()\n")' in script
     kept = re.sub(r"^RIGHT = [\s\S]*$", "RIGHT = WRONG = ()\n", LESSON, flags=re.MULTILINE)
     assert "def check" in kept and '0.25"' not in kept
 

@@ -1,4 +1,4 @@
-"""Exercises that are one file each: those of ``notebooks/drive.md`` in this folder, and a teacher's.
+"""Exercises that are one file each: the site's own in this folder, and a teacher's.
 
 A teacher's are in the folder ``lessons`` of the site, or in that of ``ROSSPIN_LESSONS``. A file holds what the exercise
 is called, what it begins with, how an answer is checked, and answers that are right and wrong.
@@ -14,7 +14,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..judging import plain
 from ..questions import Exercise
@@ -22,7 +22,7 @@ from ..questions import Exercise
 __all__ = ["FAULTS", "FOLDER", "LESSONS", "Answer", "Fault", "Lesson"]
 
 Answer = str | Mapping[str, str]
-"""A text; or what is to be replaced in that with which the exercise begins, and by what."""
+"""A text; or what is to be replaced in the solution, or else in that with which the exercise begins, and by what."""
 
 
 class Fault(NamedTuple):
@@ -37,27 +37,34 @@ class Fault(NamedTuple):
 class Lesson(NamedTuple):
     """An exercise that is one file: its text, the node that it begins with, its hints, and answers, right and wrong.
 
-    With each wrong answer comes a part of what is to be said of it. The first right one is the solution.
+    ``changed`` is what the answers change: the solution, where the file has one, or the node. With each wrong answer
+    comes a part of what is to be said of it, and maybe one of the hint. The first right one is the solution; ``after``
+    is what is said below it.
     """
 
     exercise: Exercise
     file: Path
     text: str
     node: str
+    changed: str
     hints: tuple[str, ...]
     right: tuple[Answer, ...]
-    wrong: tuple[tuple[Answer, str], ...]
+    wrong: tuple[tuple[Any, ...], ...]
+    after: str
 
     def written(self, answer: Answer) -> str:
         """Write an answer out. Raises ValueError if it replaces what is not there."""
-        text = self.node
-        if isinstance(answer, str):
-            return answer.lstrip("\n")
-        for old, new in answer.items():
-            if old not in text:
-                raise ValueError(f"NODE has no {old!r}")
-            text = text.replace(old, new)
-        return text
+        return _written(self.changed, answer)
+
+
+def _written(text: str, answer: Answer) -> str:
+    if isinstance(answer, str):
+        return answer.lstrip("\n")
+    for old, new in answer.items():
+        if old not in text:
+            raise ValueError(f"NODE has no {old!r}")
+        text = text.replace(old, new)
+    return text
 
 
 # What a file has to say, of which type, and what that is.
@@ -72,7 +79,11 @@ _ASKED: Mapping[str, tuple[type | tuple[type, ...], str]] = {
 _IN_ORDER = (
     *("follow_the_line", "lose_the_line", "look_while_driving", "stop_when_blind", "stop_at_ctrl_c", "share_the_wheel"),
 )
-"""The files in this folder that are the site's, in the order of their page."""
+"""The tasks of ``notebooks/drive.md`` in this folder, in the order of their page."""
+
+# The pages that an exercise needs, with links as in ``notebooks``: those there, and others.
+_NEEDS = re.compile(r"\A\*\*You need\*\*:(.*?)\n\n", re.DOTALL)
+_PAGE = re.compile(r"\]\((?:\.\./(docs/[\w/-]+)|([\w-]+))\.\w+\)")
 
 FAULTS: list[Fault] = []
 """What is wrong in files that cannot be used."""
@@ -110,23 +121,28 @@ def _read(name: str, module: ModuleType) -> Lesson | None:
     if not callable(getattr(module, "check", None)):
         FAULTS.append(Fault(file, 1, "check is missing", "a function that looks at an answer, and yields findings"))
     wrong = getattr(module, "WRONG", ())
-    if isinstance(wrong, (list, tuple)) and not all(isinstance(each, Sequence) and len(each) == 2 for each in wrong):
+    if isinstance(wrong, (list, tuple)) and not all(
+        isinstance(each, Sequence) and len(each) in (2, 3) for each in wrong
+    ):
         FAULTS.append(Fault(file, 1, "WRONG", "each is a pair: an answer, and a part of what is said of it"))
     if len(FAULTS) > before:
         return None
-    hints = tuple(module.HINTS)
+    hints, text = tuple(module.HINTS), getattr(module, "TEXT", "").strip()
+    node, solution = module.NODE.lstrip("\n"), getattr(module, "SOLUTION", None)
+    needs = _NEEDS.search(text)
     exercise = Exercise(
         title=module.TITLE,
-        needs=(),
+        needs=tuple(folder or "notebooks/" + page for folder, page in _PAGE.findall(needs[1])) if needs else (),
         reveals=getattr(module, "REVEALS", ""),
-        hint=hints[0] if hints else "Look at the text of the exercise once more.",
+        hint=getattr(module, "HINT", hints[0] if hints else "Look at the text of the exercise once more."),
         judge=module.check,
         name=name.replace("_", "-"),
         ros=2 if re.search(r"\brclpy\b", module.NODE) else 1,
     )
-    node = module.NODE.lstrip("\n")
-    text = getattr(module, "TEXT", "").strip()
-    return Lesson(exercise, file, text, node, hints, tuple(module.RIGHT), tuple(map(tuple, module.WRONG)))
+    changed = node if solution is None else _written(node, solution)
+    right = [*([] if solution is None else [changed]), *module.RIGHT]
+    after, wrong = getattr(module, "AFTER", "").strip(), tuple(map(tuple, module.WRONG))
+    return Lesson(exercise, file, text, node, changed, hints, tuple(right), wrong, after)
 
 
 FOLDER = _folder()

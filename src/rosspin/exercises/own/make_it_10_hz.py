@@ -1,0 +1,118 @@
+"""A timer is given a frequency: a belief that this reveals."""
+
+from __future__ import annotations
+
+from .. import judges as by
+
+TITLE = "Make it 10 Hz"
+TEXT = """
+**You need**: [the timer node in ROS 2](ros2-timer.md).
+
+This timer node ticks twice a second. Make it tick 10 times a second.
+"""
+REVEALS = "A timer is given a frequency."
+
+NODE = """
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+
+class SpinnerPyNode(Node):
+    def __init__(self):
+        super().__init__("spinner_py_node")
+        self.counter = 0
+        self.create_timer(0.5, self.timer_callback)
+
+    def timer_callback(self):
+        self.counter += 1
+        self.get_logger().info("[SPINNER PY NODE] counter = " + str(self.counter))
+
+
+def main():
+    rclpy.init()
+    spinner_py_node = SpinnerPyNode()
+    try:
+        rclpy.spin(spinner_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    "Is the first argument of `create_timer` a frequency, or the time from one call to the next?",
+    "It is the period, in seconds. How many seconds is a period of 10 Hz?",
+    "The period is 1 divided by the frequency: 1 / 10.",
+]
+HINT = "`create_timer` takes a period in seconds, not a frequency: the period is 1 / frequency."
+
+check = by.run(1.0, by.ticks(0.1))
+
+SOLUTION = {"0.5": "0.1"}
+
+SAYS = '        self.get_logger().info("[SPINNER PY NODE] counter = " + str(self.counter))\n'
+SPIN = "        rclpy.spin(spinner_py_node)\n"
+CAUGHT = "    except (KeyboardInterrupt, ExternalShutdownException):\n        pass\n"
+FINALLY = "    finally:\n        rclpy.try_shutdown()\n"
+TRY = f"    try:\n{SPIN}{CAUGHT}{FINALLY}"
+PLAIN = """import sys
+import rclpy
+rclpy.init()
+node = rclpy.create_node("n")
+count = 0
+def callback():
+    global count
+    count += 1
+    node.get_logger().info("[SPINNER PY NODE] counter = %d" % count)
+MADE
+rclpy.spin(node)
+"""
+MAKES = "self.create_timer(0.1, self.timer_callback)"
+NOT_HZ = "the period is 1 / frequency"
+FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
+
+RIGHT = [
+    {SAYS: '        print(f"[SPINNER PY NODE]  counter={self.counter}")\n'},
+    {MAKES: "self.create_timer(1 / 10, self.timer_callback)"},
+    {MAKES: "self.create_timer(timer_period_sec=0.1, callback=self.timer_callback)"},
+    {MAKES: "self.timer = self.create_timer(0.1, lambda: self.timer_callback())"},
+    {TRY: "    rclpy.spin(spinner_py_node)\n"},
+    {TRY: "    while rclpy.ok():\n        rclpy.spin_once(spinner_py_node)\n"},
+    PLAIN.replace("MADE", "node.create_timer(0.1, callback)"),
+]
+WRONG = [
+    ({MAKES: f"{MAKES}\n        {MAKES}"}, "counter 2 came at 0.1 s, not at 0.2 s", "two at a time"),
+    ({MAKES: "self.create_timer(0,1, self.timer_callback)"}, "no attribute 'add_entity'", "`0,1` is two numbers"),
+    ({MAKES: "self.createTimer(0.1, self.timer_callback)"}, "attribute 'createTimer'", "There is a `create_timer`"),
+    ({MAKES: "self.create_timer(0.1, timer_callback)"}, "name 'timer_callback'", "it is `self.timer_callback`"),
+    ({"import rclpy\n": "import rclpy\nimport no_module\n"}, "No module named", "Is the module spelt right?"),
+    (
+        {"(self):\n        super()": "(self):\n        self.t = None  # super()"},
+        "has no attribute",
+        "begins its __init__",
+    ),
+    ({MAKES: "self.create_timer(10, self.timer_callback)"}, "no counter was printed", NOT_HZ),
+    ({MAKES: "self.create_timer(10.0, self.timer_callback)"}, "no counter was printed", NOT_HZ),
+    ({"(0.1,": "(0.5,"}, "counter 1 came at 0.5 s, not at 0.1 s", NOT_HZ),
+    ({"(0.1,": "(0.01,"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_HZ),
+    (
+        {"(0.1,": "(1 // 10,"},
+        "The node has a timer whose period is 0 s: it is called without a pause",
+        "In Python `1 // 10` is 0, and `1 / 10` is 0.1.",
+    ),
+    ({"(0.1,": "(-0.1,"}, "timer period must be non-negative", "cannot be negative"),
+    ({"+= 1": "+= 10"}, "where counter 1 was due, counter 10 came", "The counter goes up by 10 each time:"),
+    ({TRY: ""}, "no counter was printed", "The node ended by itself"),
+    ({"self.timer_callback)": "self.timer_callback())"}, "'NoneType' object is not callable", "without calling it"),
+    (
+        {"(self):\n        self.counter += 1": "(self, event):\n        self.counter += 1"},
+        "TypeError",
+        "no argument",
+    ),
+    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+]

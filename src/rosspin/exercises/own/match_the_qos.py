@@ -1,0 +1,182 @@
+"""The same topic and the same type are enough to connect: a belief that this reveals."""
+
+from __future__ import annotations
+
+from .. import judges as by
+
+TITLE = "Make both ends match"
+TEXT = """
+**You need**: [publish and subscribe in ROS 2](../docs/ros2/publish.rst) and [its notebook](ros2-publish.md).
+
+The sensor of this node publishes a position every 0.5 s, but the controller hears none. Repair the controller, so
+that it prints each position as soon as it is published. Do not change the sensor.
+"""
+REVEALS = "The same topic and the same type are enough to connect."
+
+NODE = """
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from std_msgs.msg import UInt32
+
+
+class RobotPyNode(Node):
+    def __init__(self):
+        super().__init__("robot_py_node")
+        self.position = 0
+
+        # The sensor, which is to stay as it is
+        self.publisher = self.create_publisher(UInt32, "position", qos_profile_sensor_data)
+        self.create_timer(0.5, self.sensor_callback)
+
+        # The controller
+        self.create_subscription(UInt32, "position", self.position_callback, 10)
+
+    def sensor_callback(self):
+        self.position += 1
+        self.publisher.publish(UInt32(data=self.position))
+
+    def position_callback(self, message):
+        self.get_logger().info("[CONTROLLER] position = " + str(message.data))
+
+
+def main():
+    rclpy.init()
+    robot_py_node = RobotPyNode()
+    try:
+        rclpy.spin(robot_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    "Run the cell and read the warnings. What does the last word of each name?",
+    "A subscription with `10` asks for reliable messages. Does `qos_profile_sensor_data` offer them?",
+    "If a publisher offers less than a subscription asks for, they do not connect. Ask for no more "
+    "than the sensor offers.",
+]
+HINT = "The warnings name the policy that does not match. The subscription asks for more than the sensor offers."
+
+check = by.run(5.0, by.hears_all(0.5, "best_effort, volatile, depth 5"))
+
+SOLUTION = {"10": "qos_profile_sensor_data"}
+AFTER = """
+A publisher may offer more than a subscription asks for.
+"""
+
+SPIN = "        rclpy.spin(spinner_py_node)\n"
+CAUGHT = "    except (KeyboardInterrupt, ExternalShutdownException):\n        pass\n"
+FINALLY = "    finally:\n        rclpy.try_shutdown()\n"
+TRY = f"    try:\n{SPIN}{CAUGHT}{FINALLY}"
+HEARS = "self.position_callback, qos_profile_sensor_data)"
+RELIABLE = "The subscription asks for reliable messages"
+STAYS = "The sensor is to stay as it is"
+IMPORTS_QOS = "from rclpy.qos import qos_profile_sensor_data"
+BEST = "QoSProfile(depth=10, reliability=ReliabilityPolicy.BEST_EFFORT)"
+IMPORTS_BEST = {IMPORTS_QOS: f"{IMPORTS_QOS}, QoSProfile, ReliabilityPolicy"}
+CALLED_ITSELF = "        self.position_callback(UInt32(data=self.position))\n"
+MAKES_SENSOR = 'self.create_publisher(UInt32, "position", qos_profile_sensor_data)'
+
+RIGHT = [
+    {HEARS: "self.position_callback, qos_profile_sensor_data, raw=False)"},
+    {HEARS: f"self.position_callback, {BEST})", **IMPORTS_BEST},
+    {HEARS: f"self.position_callback, qos_profile=({BEST}))", **IMPORTS_BEST},
+    {
+        HEARS: "self.position_callback, rclpy.qos.qos_profile_sensor_data)",
+        IMPORTS_QOS: f"import rclpy.qos\n{IMPORTS_QOS}",
+    },
+    {TRY.replace("spinner", "robot"): "    rclpy.spin(robot_py_node)\n"},
+]
+WRONG = [
+    (
+        {
+            HEARS: "self.position_callback, 10)",
+            "(UInt32(data=self.position))\n": f"(UInt32(data=self.position))\n{CALLED_ITSELF}",
+        },
+        "a subscription with reliable, volatile, depth 10 does not match",
+        RELIABLE,
+    ),
+    (
+        {MAKES_SENSOR: f'self.create_publisher(UInt32, "position", {BEST})', **IMPORTS_BEST},
+        "the sensor: its publisher now has best_effort, volatile, depth 10, where it had",
+        STAYS,
+    ),
+    (
+        {MAKES_SENSOR: MAKES_SENSOR.replace("qos_profile_sensor_data", "10"), HEARS: "self.position_callback, 10)"},
+        "the sensor: its publisher now has reliable, volatile, depth 10",
+        STAYS,
+    ),
+    (
+        {
+            HEARS: "lambda message: None, qos_profile_sensor_data)",
+            "(UInt32(data=self.position))\n": f"(UInt32(data=self.position))\n{CALLED_ITSELF}",
+        },
+        "The controller: its lines were printed in a call of a timer",
+        "A topic carries the message",
+    ),
+    (
+        {HEARS: f'{HEARS}\n        self.create_subscription(UInt32, "position", self.position_callback, 10)'},
+        "a subscription with reliable, volatile, depth 10 does not match",
+        RELIABLE,
+    ),
+    (
+        {
+            HEARS: "self.position_callback, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, "
+            "durability=DurabilityPolicy.TRANSIENT_LOCAL))",
+            IMPORTS_QOS: f"{IMPORTS_QOS}, DurabilityPolicy, QoSProfile, ReliabilityPolicy",
+        },
+        "best_effort, transient_local, depth 5 does not match",
+        "The sensor keeps none",
+    ),
+    (
+        {HEARS: "self.position_callback, 10)"},
+        "the controller: a subscription with reliable, volatile, depth 10 does ",
+        RELIABLE,
+    ),
+    (
+        {HEARS: "self.position_callback, 1)"},
+        "the controller: a subscription with reliable, volatile, depth 1 does n",
+        RELIABLE,
+    ),
+    (
+        {
+            HEARS: "self.position_callback, QoSProfile(depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL))",
+            IMPORTS_QOS: f"{IMPORTS_QOS}, DurabilityPolicy, QoSProfile",
+        },
+        "the controller: a subscription with reliable, transient_local, depth 5",
+        RELIABLE,
+    ),
+    (
+        {'"position", self.position_callback': '"positions", self.position_callback'},
+        "the controller: nothing subscribes to `/position`: it subscribes to `/",
+        "The topic of the subscription is that of the publisher, letter by lett",
+    ),
+    ({"0.5, self.sensor": "1.0, self.sensor"}, "The sensor: position 1 came at 1 s, not at 0.5 s", STAYS),
+    (
+        {"self.position_callback, qos": "self.position_callback(), qos"},
+        "missing 1 required positional",
+        "Pass the function on without calling it:",
+    ),
+    (
+        {"str(message.data)": "str(message)"},
+        "The controller: where position 1 was due",
+        "Let the callback of the subscription print `[CONTROLLER] position = `",
+    ),
+    (
+        {HEARS: "self.position_callback)"},
+        "missing 1 required positional",
+        '`self.create_subscription(UInt32, "topic", self.callback, 10)`:',
+    ),
+    (
+        {"        self.publisher.publish": "        # self.publisher.publish"},
+        "The sensor: no position was printed",
+        STAYS,
+    ),
+]

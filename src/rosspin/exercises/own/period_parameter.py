@@ -1,0 +1,212 @@
+"""A parameter can be read without being declared: a belief that this reveals."""
+
+from __future__ import annotations
+
+from .. import judges as by
+
+TITLE = "Take the period from a parameter"
+TEXT = """
+**You need**: the [tutorial on ROS 2](../docs/ros2/tutorial.rst), [the timer node in ROS 2](ros2-timer.md) and the
+how-to [Set the frequency](../docs/how-to/frequency-from-parameter.rst).
+
+Make the period a parameter called `period`, in seconds, with the default 0.5:
+
+- With `--ros-args -p period:=0.1`, the node ticks ten times a second.
+- With a period that is not above 0, such as `-p period:=-1.0`, the node does not tick. It logs an error that names the
+  period, and exits with a non-zero status and without a traceback.
+"""
+REVEALS = "A parameter can be read without being declared. A timer refuses a period of 0."
+
+NODE = """
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+
+class SpinnerPyNode(Node):
+    def __init__(self):
+        super().__init__("spinner_py_node")
+        self.counter = 0
+        period = 0.5
+        self.create_timer(period, self.timer_callback)
+
+    def timer_callback(self):
+        self.counter += 1
+        self.get_logger().info("[SPINNER PY NODE] counter = " + str(self.counter))
+
+
+def main():
+    rclpy.init()
+    spinner_py_node = SpinnerPyNode()
+    try:
+        rclpy.spin(spinner_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    '`self.declare_parameter("name", 0.5)` declares a parameter with its default, and returns it. '
+    "Its `.value` is what the command line says, or the default.",
+    "What does the timer do with a period of 0.0, and what with -1.0? Check the period before you make the timer.",
+    "`self.get_logger().error(...)` logs an error. `sys.exit(1)` ends a program with status 1 and "
+    "without a traceback, also from `__init__`.",
+]
+_IN_SECONDS = 'The parameter is called "period". Is it what the timer is given, in seconds?'
+HINT = "`self.declare_parameter(name, default).value` is a parameter's value. Look at it before you make the timer."
+
+check = by.every(
+    by.run(2.0, by.ticks(0.5), when="Without the parameter"),
+    by.until_wrong(
+        by.run(1.0, by.ticks(0.1, hint=_IN_SECONDS), by.declares("period"), given="period:=0.1"),
+        by.run(5.0, by.ticks(2.0, hint=_IN_SECONDS), given="period:=2.0"),
+        by.every(
+            by.ending(1.0, by.refuses("period"), given="period:=0.0"),
+            by.ending(1.0, by.refuses("period"), given="period:=-1.0"),
+        ),
+    ),
+)
+
+SOLUTION = {
+    "import rclpy\n": "import sys\n\nimport rclpy\n",
+    "        period = 0.5\n": '        period = self.declare_parameter("period", 0.5).value\n'
+    "        if not period > 0:\n"
+    '            self.get_logger().error("the period has to be above 0 s, not " + str(period))\n'
+    "            sys.exit(1)\n",
+}
+AFTER = """
+`not period > 0` also refuses a period that is not a number, `.nan`. rclpy itself refuses anything that is not a float:
+`-p period:=fast`, and even `-p period:=2`, raise an `InvalidParameterTypeException`.
+"""
+
+PLAIN = """import sys
+import rclpy
+rclpy.init()
+node = rclpy.create_node("n")
+count = 0
+def callback():
+    global count
+    count += 1
+    node.get_logger().info("[SPINNER PY NODE] counter = %d" % count)
+MADE
+rclpy.spin(node)
+"""
+PERIOD = '        period = self.declare_parameter("period", 0.5).value\n'
+REFUSES = (
+    "        if not period > 0:\n"
+    '            self.get_logger().error("the period has to be above 0 s, not " + str(period))\n'
+    "            sys.exit(1)\n"
+)
+FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
+
+RIGHT = [
+    {PERIOD: '        self.declare_parameter("period", 0.5)\n        period = self.get_parameter("period").value\n'},
+    {
+        PERIOD: '        self.declare_parameter("period", 0.5)\n'
+        '        period = self.get_parameter("period").get_parameter_value().double_value\n'
+    },
+    {REFUSES: '        if period <= 0:\n            raise SystemExit("period must be above 0")\n'},
+    # It looks in main, and returns a status.
+    {
+        REFUSES: '        if period <= 0:\n            raise ValueError("a period of " + str(period) + " s")\n',
+        "    spinner_py_node = SpinnerPyNode()\n": "    try:\n        spinner_py_node = SpinnerPyNode()\n"
+        "    except ValueError as error:\n        print(error, file=sys.stderr)\n        return 2\n",
+        "'__main__':\n    main()": "'__main__':\n    sys.exit(main())",
+    },
+    # rclpy looks itself.
+    {
+        PERIOD: "        from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor\n"
+        "        allowed = FloatingPointRange(from_value=0.001, to_value=3600.0)\n"
+        "        try:\n"
+        '            period = self.declare_parameter("period", 0.5, '
+        "ParameterDescriptor(floating_point_range=[allowed])).value\n"
+        "        except rclpy.exceptions.InvalidParameterValueException as error:\n"
+        "            self.get_logger().fatal(str(error))\n"
+        "            sys.exit(1)\n",
+        REFUSES: "",
+        "import rclpy\n": "import rclpy\nimport rclpy.exceptions\n",
+    },
+    PLAIN.replace(
+        "MADE",
+        'period = node.declare_parameter("period", 0.5).value\nif period <= 0: sys.exit("bad period")\n'
+        "node.create_timer(period, callback)",
+    ),
+    {REFUSES: REFUSES.replace("sys.exit(1)", "rclpy.shutdown()\n            sys.exit(3)")},
+]
+WRONG = [
+    (
+        {PERIOD: '        period = float(sys.argv[-1].split(":=")[-1]) if len(sys.argv) > 1 else 0.5\n'},
+        "With `period:=0.1`: the node has no parameter `period`",
+        "in other ways",
+    ),
+    ({PERIOD: "        period = 0.5\n"}, "With `period:=0.1`: counter 1 came at 0.5 s", "is called"),
+    (
+        {PERIOD: '        period = self.get_parameter("period").value\n'},
+        "ParameterNotDeclaredException",
+        "before you read it",
+    ),
+    ({PERIOD: PERIOD.replace('"period"', '"delta"')}, "With `period:=0.1`: counter 1 came at 0.5 s", '"period"'),
+    ({PERIOD: PERIOD.replace('"period"', '"~period"')}, "With `period:=0.1`: counter 1 came at 0.5 s", "is called"),
+    (
+        {PERIOD: PERIOD.replace("0.5", "1.0")},
+        "Without the parameter: counter 1 came at 1 s",
+        "is a parameter's value",
+    ),
+    (
+        {"create_timer(period": "create_timer(1 / period"},
+        "Without the parameter: counter 1 came at 2 s",
+        "Is it what the timer is given",
+    ),
+    (
+        {PERIOD: PERIOD.replace(".value", "")},
+        "TypeError",
+        "A parameter is not yet its number, which is its `.value`:",
+    ),
+    ({REFUSES: ""}, "With `period:=0.0`: the node ticked anyway", "calls back without a pause"),
+    (
+        {REFUSES: REFUSES.replace("not period > 0", "period < 0")},
+        "With `period:=0.0`: the node ticked",
+        "Look at the period",
+    ),
+    (
+        {REFUSES: REFUSES.replace("not period > 0", "period == 0")},
+        "With `period:=-1.0`: the node stopped in line 16:",
+        "error line",
+    ),
+    (
+        {REFUSES: "        if period <= 0:\n            raise ValueError('period')\n"},
+        "ValueError: period",
+        "end with `sys.exit(1)`",
+    ),
+    (
+        {REFUSES: REFUSES.replace("sys.exit(1)", "sys.exit()")},
+        "ended with status 0, as if all were well",
+        "from its status",
+    ),
+    (
+        {REFUSES: "        if period <= 0:\n            sys.exit(1)\n"},
+        "no line says that the period is wrong",
+        "error line",
+    ),
+    (
+        {REFUSES: REFUSES.replace("sys.exit(1)", "return")},
+        "the node kept running without ticking",
+        "end with `sys.exit(1)`",
+    ),
+    (
+        {REFUSES: REFUSES.replace("sys.exit(1)", "period = 0.5")},
+        "the node ticked anyway, 2 times in 1 s",
+        "Look at the",
+    ),
+    (
+        {PERIOD: PERIOD.replace("0.5", "1")},
+        "Started with `--ros-args -p period:=0.1`",
+        "keeps the type with which it was declared",
+    ),
+    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+]

@@ -1,0 +1,227 @@
+"""Timers of one node do not disturb each other: a belief that this reveals."""
+
+from __future__ import annotations
+
+from .. import judges as by
+
+TITLE = "Free a starving neighbour"
+TEXT = """
+**You need**: [which executor lets both timers keep their times](ros2-executors.md).
+
+This node takes an image every second, which needs 0.6 s, and sends the motor a command every 0.1 s. But the motor
+gets no commands while an image is being taken. Repair the node so that
+
+- the motor gets its command every 0.1 s, whatever the camera does, and
+- the camera takes images as before: every second or, if an image takes longer, one after the other, but never two at
+  the same time.
+"""
+REVEALS = (
+    "Timers of one node do not disturb each other. A MultiThreadedExecutor alone lets callbacks run at the same time."
+)
+
+NODE = """
+import time
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+
+class RobotPyNode(Node):
+    def __init__(self):
+        super().__init__("robot_py_node")
+        self.takes = self.declare_parameter("takes", 0.6).value
+        self.images = 0
+        self.commands = 0
+        self.create_timer(1.0, self.camera_callback)
+        self.create_timer(0.1, self.motor_callback)
+
+    def camera_callback(self):
+        self.images += 1
+        self.get_logger().info("[CAMERA] image = " + str(self.images))
+        time.sleep(self.takes)
+        self.get_logger().info("[CAMERA] done = " + str(self.images))
+
+    def motor_callback(self):
+        self.commands += 1
+        self.get_logger().info("[MOTOR] counter = " + str(self.commands))
+
+
+def main():
+    rclpy.init()
+    robot_py_node = RobotPyNode()
+    try:
+        rclpy.spin(robot_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    "`rclpy.spin` calls all callbacks in one thread. A `MultiThreadedExecutor`, from "
+    "`rclpy.executors`, has several. Is that enough?",
+    "The timers of a node are in one callback group, in which no two callbacks run at the same "
+    "time. `create_timer` takes another group as `callback_group`.",
+    "`rclpy.callback_groups` has two kinds. In a `ReentrantCallbackGroup` the camera could take two "
+    "images at the same time; a `MutuallyExclusiveCallbackGroup` for each timer prevents that.",
+]
+_STARVED = (
+    "While the camera's callback runs, a single-threaded executor calls nothing, and no executor calls what is in the "
+    "same mutually exclusive group. A node's timers are in one such group unless you give them others."
+)
+_COMMANDED = by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(_STARVED))
+HINT = "It takes two things: a `MultiThreadedExecutor`, and a callback group of its own for each timer."
+
+check = by.until_wrong(
+    by.run(5.0, _COMMANDED, by.one_image_at_a_time(0.6), given="takes:=0.6"),
+    by.run(5.0, _COMMANDED, by.one_image_at_a_time(1.3), given="takes:=1.3"),
+    by.shaken(2, 5.0, _COMMANDED, by.one_image_at_a_time(0.6), given="takes:=0.6"),
+)
+
+SOLUTION = {
+    "from rclpy.executors import ExternalShutdownException\n": "from rclpy.callback_groups import "
+    "MutuallyExclusiveCallbackGroup\n"
+    "from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor\n",
+    "        self.create_timer(1.0, self.camera_callback)\n"
+    "        self.create_timer(0.1, self.motor_callback)\n": "        self.create_timer(1.0, "
+    "self.camera_callback, MutuallyExclusiveCallbackGroup())\n"
+    "        self.create_timer(0.1, self.motor_callback, MutuallyExclusiveCallbackGroup())\n",
+    "    robot_py_node = RobotPyNode()\n": "    robot_py_node = RobotPyNode()\n"
+    "    executor = MultiThreadedExecutor()\n"
+    "    executor.add_node(robot_py_node)\n",
+    "rclpy.spin(robot_py_node": "executor.spin(",
+}
+AFTER = """
+It is enough to give one of the two timers a group of its own. The two callbacks now run at the same time, so what both
+use needs a lock: see [Share data between callbacks](../docs/how-to/shared-data.rst).
+"""
+
+CAMERA = "self.create_timer(1.0, self.camera_callback, MutuallyExclusiveCallbackGroup())"
+MOTOR = "self.create_timer(0.1, self.motor_callback, MutuallyExclusiveCallbackGroup())"
+ALONE = {", MutuallyExclusiveCallbackGroup())": ")"}
+EXECUTOR = "    executor = MultiThreadedExecutor()\n    executor.add_node(robot_py_node)\n"
+SPINS = "        executor.spin()\n"
+WORK = """    def camera_callback(self):
+        self.images += 1
+        self.get_logger().info("[CAMERA] image = " + str(self.images))
+        time.sleep(self.takes)
+        self.get_logger().info("[CAMERA] done = " + str(self.images))
+"""
+FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
+
+RIGHT = [
+    {MOTOR: "self.create_timer(0.1, self.motor_callback)"},
+    {CAMERA: "self.create_timer(1.0, self.camera_callback)"},
+    {"MultiThreadedExecutor()": "MultiThreadedExecutor(num_threads=2)"},
+    {
+        MOTOR: "self.create_timer(0.1, self.motor_callback, callback_group=ReentrantCallbackGroup())",
+        "import MutuallyExclusiveCallbackGroup": "import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup",
+    },
+    {EXECUTOR: "    executor = MultiThreadedExecutor()\n", SPINS: "        rclpy.spin(robot_py_node, executor)\n"},
+    # The images are taken by a thread, of which the callback starts one at a time.
+    {
+        **ALONE,
+        EXECUTOR: "",
+        SPINS: "        rclpy.spin(robot_py_node)\n",
+        WORK: """    def camera_callback(self):
+        if self.images == 0 or not self.thread.is_alive():
+            self.thread = threading.Thread(target=self.take, daemon=True)
+            self.thread.start()
+
+"""
+        + WORK.replace("camera_callback", "take"),
+        "import time\n": "import threading\nimport time\n",
+    },
+    # Two nodes, each with an executor and a thread.
+    """import threading, time
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+rclpy.init()
+camera, motor = rclpy.create_node("camera"), rclpy.create_node("motor")
+takes = camera.declare_parameter("takes", 0.6).value
+counts = {"image": 0, "counter": 0}
+def take():
+    counts["image"] += 1
+    print(f"[CAMERA] image = {counts['image']}")
+    time.sleep(takes)
+    print(f"[CAMERA] done = {counts['image']}")
+def drive():
+    counts["counter"] += 1
+    print(f"[MOTOR] counter = {counts['counter']}")
+camera.create_timer(1.0, take)
+motor.create_timer(0.1, drive)
+def spin():
+    executor = SingleThreadedExecutor()
+    executor.add_node(camera)
+    try:
+        executor.spin()
+    except ExternalShutdownException:
+        pass
+threading.Thread(target=spin, daemon=True).start()
+rclpy.spin(motor)
+""",
+]
+WRONG = [
+    (
+        {EXECUTOR: "", SPINS: "        rclpy.spin(robot_py_node)\n"},
+        "With `takes:=0.6`, the motor: counter 10 came at 1.6 s",
+        "a single-threaded executor",
+    ),
+    (ALONE, "With `takes:=0.6`, the motor: counter 1", "in the same mutually exclusive group"),
+    (
+        {"MultiThreadedExecutor": "SingleThreadedExecutor"},
+        "the motor: counter 10 came at 1.6 s",
+        "single-threaded executor",
+    ),
+    (
+        {"MutuallyExclusive": "Reentrant"},
+        "With `takes:=1.3`, the camera began image 2 at 2 s, while it still took image 1",
+        "calls of one timer may overlap",
+    ),
+    (
+        {
+            "        self.create_timer(1.0": "        group = MutuallyExclusiveCallbackGroup()\n"
+            "        self.create_timer(1.0",
+            ", MutuallyExclusiveCallbackGroup())": ", group)",
+        },
+        "the motor: counter 1",
+        "in the same mutually exclusive group",
+    ),
+    (
+        {"time.sleep(self.takes)": "pass"},
+        "image 1 was done after 0 s, not after 0.6 s",
+        "the time that an image takes",
+    ),
+    (
+        {"time.sleep(self.takes)": "time.sleep(0.05)"},
+        "done after 0.05 s, not after 0.6 s",
+        "the time that an image takes",
+    ),
+    (
+        {"time.sleep(self.takes)": "time.sleep(0.6)"},
+        "With `takes:=1.3`, the camera: image 1 was done after 0.6 s",
+        "the time that an image takes",
+    ),
+    ({"create_timer(1.0": "create_timer(2.0"}, "the camera took 2 images in 5 s; it can take 5", "as before"),
+    ({"create_timer(0.1": "create_timer(0.2"}, "the motor: counter 1 came at 0.2 s", "They come every 0.2 s:"),
+    ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "the motor: counter 1", "single-threaded"),
+    (
+        {EXECUTOR: "    executor = MultiThreadedExecutor()\n"},
+        "the motor: no counter was printed",
+        "single-threaded",
+    ),
+    (
+        {
+            "time.sleep(self.takes)": "threading.Thread(target=time.sleep, args=(self.takes,)).start()",
+            "import time\n": "import threading\nimport time\n",
+        },
+        "image 1 was done after 0 s",
+        "the time that an image takes",
+    ),
+    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+]

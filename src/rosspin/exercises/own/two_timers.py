@@ -1,0 +1,159 @@
+"""Two rates need two nodes: a belief that this reveals."""
+
+from __future__ import annotations
+
+from .. import judges as by
+
+TITLE = "Give a node two timers"
+TEXT = """
+**You need**: [the timer node in ROS 2](ros2-timer.md).
+
+This node prints `[FAST] counter = 1` and so on, ten times a second. Add a second timer, which prints
+`[SLOW] counter = 1` and so on, twice a second.
+"""
+REVEALS = "Two rates need two nodes."
+
+NODE = """
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+
+class SpinnerPyNode(Node):
+    def __init__(self):
+        super().__init__("spinner_py_node")
+        self.counter = 0
+        self.create_timer(0.1, self.fast_callback)
+
+    def fast_callback(self):
+        self.counter += 1
+        self.get_logger().info("[FAST] counter = " + str(self.counter))
+
+
+def main():
+    rclpy.init()
+    spinner_py_node = SpinnerPyNode()
+    try:
+        rclpy.spin(spinner_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    "A node can have as many timers as it likes.",
+    "Each timer has a period and a callback of its own.",
+    "Does each of them have a counter of its own?",
+]
+HINT = "A node can have as many timers as it likes, each with its own period, callback and counter."
+
+check = by.run(
+    2.0,
+    by.ticks(0.1, "`[FAST]`", "FAST"),
+    by.ticks(0.5, "`[SLOW]`", "SLOW"),
+    by.have_timers_of_their_own("FAST", "SLOW"),
+)
+
+SOLUTION = {
+    "        self.counter = 0\n": "        self.fast_counter = 0\n        self.slow_counter = 0\n",
+    "        self.create_timer(0.1, self.fast_callback)\n": "        self.create_timer(0.1, "
+    "self.fast_callback)\n        self.create_timer(0.5, self.slow_callback)\n",
+    "        self.counter += 1\n"
+    '        self.get_logger().info("[FAST] counter = " + str(self.counter))\n': "        self.fast_counter "
+    "+= 1\n"
+    '        self.get_logger().info("[FAST] counter = " + str(self.fast_counter))\n'
+    "\n"
+    "    def slow_callback(self):\n"
+    "        self.slow_counter += 1\n"
+    '        self.get_logger().info("[SLOW] counter = " + str(self.slow_counter))\n',
+}
+
+SPIN = "        rclpy.spin(spinner_py_node)\n"
+CAUGHT = "    except (KeyboardInterrupt, ExternalShutdownException):\n        pass\n"
+FINALLY = "    finally:\n        rclpy.try_shutdown()\n"
+TRY = f"    try:\n{SPIN}{CAUGHT}{FINALLY}"
+FAST = "self.create_timer(0.1, self.fast_callback)"
+SLOW = "self.create_timer(0.5, self.slow_callback)"
+AS_MANY = "as many timers as it likes"
+EACH_FIFTH = {
+    f"        {SLOW}\n": "",
+    "str(self.fast_counter))\n": "str(self.fast_counter))\n        if self.fast_counter % 5 == 0:\n"
+    "            self.slow_callback()\n",
+}
+TWO_NODES = """import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+class Counts(Node):
+    def __init__(self, tag, period):
+        super().__init__(tag.lower())
+        self.tag, self.counter = tag, 0
+        self.create_timer(period, self.count)
+    def count(self):
+        self.counter += 1
+        self.get_logger().info(f"[{self.tag}] counter = {self.counter}")
+rclpy.init()
+executor = SingleThreadedExecutor()
+nodes = [Counts("FAST", 0.1), Counts("SLOW", 0.5)]
+for node in nodes:
+    executor.add_node(node)
+executor.spin()
+"""
+SLOW_THREAD = {
+    f"        {SLOW}\n": "        threading.Thread(target=self.slow_loop, daemon=True).start()\n",
+    "    def slow_callback(self):\n": "    def slow_loop(self):\n        while True:\n            time.sleep(0.5)\n"
+    "            self.slow_callback()\n\n    def slow_callback(self):\n",
+    "import rclpy\n": "import threading\nimport time\n\nimport rclpy\n",
+}
+FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
+
+RIGHT = [
+    {SLOW: "self.create_timer(1 / 2, self.slow_callback)"},
+    {FAST: f"self.fast = {FAST}", SLOW: f"self.slow = {SLOW}"},
+    {SLOW: "self.create_timer(0.5, lambda: self.slow_callback())"},
+    {TRY: "    rclpy.spin(spinner_py_node)\n"},
+    {
+        "import rclpy\n": "from itertools import count\n\nimport rclpy\n",
+        "        self.fast_counter = 0\n": "        self.numbers = count(1)\n",
+        "        self.fast_counter += 1\n": "",
+        "str(self.fast_counter)": "str(next(self.numbers))",
+    },
+]
+WRONG = [
+    (EACH_FIFTH, "one timer prints both `[FAST]` and `[SLOW]`", "a timer of its own for each"),
+    (TWO_NODES, "the timers are of two nodes, `/fast` and `/slow`", "One node can have both"),
+    (SLOW_THREAD, "counter 1 of `[SLOW]` was not printed by the callback of a timer", "a timer of its own"),
+    (
+        {"slow_counter": "fast_counter"},
+        "`[SLOW]`: where counter 1 was due, counter 6 came",
+        "Something else counts in the same variable:",
+    ),
+    ({"(0.5,": "(2.0,"}, "`[SLOW]`: counter 1 came at 2 s, not at 0.5 s", AS_MANY),
+    (
+        {"(0.5,": "(5,"},
+        "`[SLOW]`: no counter was printed",
+        "A timer of the node has a period of 5 s, so that its first call is due",
+    ),
+    ({"(0.1,": "(0.5,"}, "`[FAST]`: counter 1 came at 0.5 s", AS_MANY),
+    (
+        {"[SLOW]": "[slow]"},
+        "`[SLOW]`: no counter was printed",
+        "The lines are to read `[SLOW] counter = 1` and so on.",
+    ),
+    ({"self.slow_callback)": "self.fast_callback)"}, "`[SLOW]`: no counter was printed", "callback and counter"),
+    ({"        self.slow_counter = 0\n": ""}, "has no attribute 'slow_counter'", "Python names"),
+    ({f"        {SLOW}\n": ""}, "`[SLOW]`: no counter was printed", AS_MANY),
+    (
+        {
+            "str(self.slow_counter))": "str(self.slow_counter))\n        time.sleep(0.6)",
+            "import rclpy\n": "import time\n\nimport rclpy\n",
+        },
+        "`[FAST]`: counter 6 came at",
+        AS_MANY,
+    ),
+    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+]
