@@ -75,7 +75,7 @@ def wrong(few: Path) -> str:
     with open(figures, "a") as page:
         for directive, texts in (("ticks", _WRONG_FIGURES), ("scenes", _WRONG_SCENES)):
             page.writelines(f"\n.. {directive}:: " + text.replace("\n", "\n   ") + "\n" for text in texts)
-    text = without_runs((ROOT / EXERCISES).read_text()).replace("%%answer call-back-once\n", "%%answer\n")
+    text = without_runs((ROOT / EXERCISES).read_text()).replace("%%answer first-call\n", "%%answer\n")
     reader = _SOLUTION.replace("hide-cell", "live")
     exercises.write_text(text + _START + _SOLUTION + reader)
     run = typed("make doctest", few)
@@ -108,7 +108,7 @@ def test_exercises_are_solved_by_their_solutions_and_none_is_missing(few: Path, 
     entry = entry_of(wrong, f"notebooks/ros2-exercises.md:{line}\n")
     assert re.search(r"stands +%%answer slow-timer\n +now +Exercise \d+: not yet\.\n(.*\n)* +Hint: ", entry)
     assert wrong.count("%%answer slow-timer") == 1  # where a reader starts, an answer need not be right
-    said = r'no cell with %%answer call-back-once\n  now     rosspin\.exercises checks exercise \d+, "Call back once"\n'
+    said = r'no cell with %%answer first-call\n  now     rosspin\.exercises checks exercise \d+, "When the first call '
     assert re.search(said, wrong)
     assert wrong.count("no cell with") == 1
 
