@@ -16,6 +16,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import cache
 from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -23,9 +24,9 @@ from typing import Any, NamedTuple
 from arrivals import Arrivals
 from provenance import table, write_provenance
 
+from rosspin import simulate
 from rosspin.real import ros1
 from rosspin.results.recordings import COLUMNS
-from rosspin.results.roscpp import timer_probe
 from rosspin.results.saving import save_whole
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -91,19 +92,23 @@ def random_blocks(seed: int, count: int) -> list[float]:
     while len(lengths) < count:
         length = draw.choice((0.0, round(draw.uniform(0.0, 4.5) * PERIOD, 2)))
         words = [f"_blocks:={','.join(map(str, lengths))}"]
-        tick = timer_probe(5 * PERIOD * (count + 1), words)[len(lengths)]
+        run = simulate(PROBES / "src" / "timer_probe.cpp", 5 * PERIOD * (count + 1), words)
+        tick = run.ticks[len(lengths)]
         spare = tick.real + length - tick.expected - 2 * PERIOD
         if abs(spare) > PERIOD / 4:
             lengths.append(length)
     return lengths
 
 
-PLANS = dict(_plans())
+@cache
+def plans() -> dict[str, Plan]:
+    """What is recorded of the probes, by name. Their random lengths are drawn with runs: not while this is imported."""
+    return dict(_plans())
 
 
 def record_probe(workspace: ros1.Workspace, name: str) -> None:
     """Run a probe and write its ticks, counted from the moment before its timer or loop began."""
-    plan = PLANS[name]
+    plan = plans()[name]
     load = os.getloadavg()
     parameters = [f"_{key}:={str(value).lower()}" for key, value in plan.parameters.items()]
     # The master keeps the parameters of a node for the next one of its name.
@@ -375,14 +380,15 @@ def main(names: list[str]) -> None:
     """Record what is named, all if nothing is."""
     if lacking := ros1.missing():
         raise SystemExit(f"record: {ros1.Ros1Missing(lacking)}")
-    if unknown := set(names) - {*OTHERS, *PLANS}:
-        raise SystemExit(f"record: there is no {', '.join(sorted(unknown))}; there are {', '.join([*OTHERS, *PLANS])}")
+    known = [*OTHERS, *plans()]
+    if unknown := set(names) - {*known}:
+        raise SystemExit(f"record: there is no {', '.join(sorted(unknown))}; there are {', '.join(known)}")
     RECORDINGS.mkdir(exist_ok=True)
     for name, record in OTHERS.items():
         if not names or name in names:
             print(name, flush=True)
             record()
-    probes = [name for name in PLANS if name in names or not names]
+    probes = [name for name in plans() if name in names or not names]
     if not probes:
         return
     with ros1.Workspace() as workspace:

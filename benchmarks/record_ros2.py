@@ -17,6 +17,7 @@ import time
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from itertools import product
 from pathlib import Path
 from statistics import median
@@ -26,11 +27,10 @@ from arrivals import Arrivals
 from provenance import table, write_provenance
 from rclcpp_nodes import build, compiler, missing, read_ticks
 
-from rosspin import Tick
+from rosspin import Tick, simulate
 from rosspin.real import ros2
 from rosspin.real.children import Patience
 from rosspin.results.recordings import COLUMNS
-from rosspin.results.rules import calculated
 from rosspin.results.saving import save_whole
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
@@ -134,9 +134,9 @@ def random_blocks(program: str, seed: int, count: int) -> list[float]:
     lengths: list[float] = []
 
     def following(length: float) -> list[float]:
-        args = [f"period:={PERIOD}", f"blocks:=[{','.join(map(str, [*lengths, length]))}]"]
-        ticks = calculated(f"ros2/{program}.cpp", 5 * PERIOD * (count + 1), args)
-        return [tick.real for tick in ticks][: len(lengths) + 4]
+        args = ["-p", f"period:={PERIOD}", "-p", f"blocks:=[{','.join(map(str, [*lengths, length]))}]"]
+        run = simulate(EXAMPLES / f"{program}.cpp", 5 * PERIOD * (count + 1), ["--ros-args", *args])
+        return [tick.real for tick in run.ticks][: len(lengths) + 4]
 
     while len(lengths) < count:
         length = round(draw.uniform(0.25, 4.5) * PERIOD, 2)
@@ -146,12 +146,15 @@ def random_blocks(program: str, seed: int, count: int) -> list[float]:
     return lengths
 
 
-PLANS = {**dict(_plans()), **dict(_cpp_plans())}
+@cache
+def plans() -> dict[str, Plan]:
+    """What is recorded of the probes, by name. Their random lengths are drawn with runs: not while this is imported."""
+    return {**dict(_plans()), **dict(_cpp_plans())}
 
 
 def record_probe(name: str) -> None:
     """Run a probe and write its ticks."""
-    plan = PLANS[name]
+    plan = plans()[name]
     load = os.getloadavg()
     command = [plan.program, *_ros_args(plan.parameters)]
     if plan.program.endswith(".py"):
@@ -471,10 +474,11 @@ def main(names: list[str]) -> None:
     """Record what is named; if nothing is, all that can be."""
     if ros2.missing():
         raise SystemExit(f"record: {ros2.Ros2Missing()}")
-    if unknown := set(names) - {*OTHERS, *PLANS}:
-        raise SystemExit(f"record: there is no {', '.join(sorted(unknown))}; there are {', '.join([*OTHERS, *PLANS])}")
+    known = [*OTHERS, *plans()]
+    if unknown := set(names) - {*known}:
+        raise SystemExit(f"record: there is no {', '.join(sorted(unknown))}; there are {', '.join(known)}")
     RECORDINGS.mkdir(exist_ok=True)
-    for name in names or [*PLANS, *OTHERS]:
+    for name in names or [*plans(), *OTHERS]:
         if "_cpp" in name and missing():
             print(f"{name}: left as it is. {missing()}", flush=True)
             continue

@@ -103,7 +103,9 @@ def test_a_command_line_is_read_alike(name: str, args: str, status: int, tmp_pat
     assert (run.status == 0) == (status == 0)
 
 
-@pytest.mark.parametrize("blocks", ["[1.7]", "[0.2, 0.0, 3.1, 0.4, 1.25]", "[0.6, 0.6, 0.6, 0.6, 0.6]"])
+@pytest.mark.parametrize(
+    "blocks", ["[1.7]", "[0.2, 0.0, 12.0]", "[0.2, 0.0, 3.1, 0.4, 1.25]", "[0.6, 0.6, 0.6, 0.6, 0.6]"]
+)
 def test_what_late_and_lost_ticks_come_to(blocks: str, tmp_path: Path) -> None:
     file = EXAMPLES / "ros2/timer_probe.cpp"
     for period in (0.5, 0.0625):
@@ -112,7 +114,7 @@ def test_what_late_and_lost_ticks_come_to(blocks: str, tmp_path: Path) -> None:
         ((console, result),) = in_page(file, [(10.0, shlex.join(args))], tmp_path)
         is_like((console, result), run)
         (source,) = {tick.source for tick in run.ticks}
-        lost = lost_by_source(run.ticks, {source: period})
+        lost = lost_by_source(run.ticks, {source: period}, run.coming)
         assert result["lost"] == [[name, round(time, 6)] for name, times in lost.items() for time in times]
         said = describe_timeline(source, run.ticks)
         assert result["alternative"] == said + (f" Lost ticks: {len(lost[source])}." if lost else "")

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-import math
+import csv
+import re
+import signal
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from cpp_probes import differences
 from cpp_scenarios import FOLDER, SECONDS, compared, recorded, words
 from tree import ROOT
 
 from rosspin import NotSimulated, TimeStandsStill, simulate
-from rosspin.results.roscpp import timer_probe
+from rosspin.cpp import program
+from rosspin.results.recordings import load
 
 Write = Callable[[str, str], Path]
 
@@ -26,27 +30,64 @@ def test_a_scenario_gives_what_it_gave_on_the_real_one(name: str) -> None:
     assert compared(run.console, run.status) == SCENARIOS[name]
 
 
+# Those of timers in a node that spins at once in one thread.
+RECORDINGS = sorted(ROOT.glob("examples/recordings/t*_cpp_[2bs]*.csv"))
+
+
+def test_there_are_recordings_of_random_lengths() -> None:
+    assert sum("_random_" in file.name for file in RECORDINGS) == 3
+    assert len(RECORDINGS) == 11
+
+
+@pytest.mark.parametrize("file", RECORDINGS, ids=lambda file: file.stem)
+def test_the_probe_ticks_as_it_did(file: Path) -> None:
+    real = load(file)
+    args = re.findall(r"_\w+:=\S+", real.provenance["command"])
+    assert differences(simulate(PROBE, real.seconds, args).ticks, real.ticks) == []
+
+
+def test_another_rule_would_be_noticed() -> None:
+    """rospy's, with its limit of 3 periods in place of 2."""
+    real = load(ROOT / "examples/recordings/timer_cpp_blocks_random_1.csv")
+    args = re.findall(r"_\w+:=\S+", real.provenance["command"])
+    assert differences(simulate(PROBE.with_suffix(".py"), real.seconds, args).ticks, real.ticks)
+
+
 @pytest.mark.parametrize(
-    "args",
+    ("length", "wanted"),
     [
-        "_period:=0.5",
-        "_block:=1.2 _block_call:=3",
-        "_block:=2.2 _block_call:=3 _second_timer:=true",
-        "_block:=0.8",
-        "_blocks:=0.3,1.4,0.1,0.9,0.2,2.3",
-        "_period:=0.02 _block:=0.05 _block_call:=7",
+        (0.7, [1.5, 2.2, 2.5, 3.0]),
+        (1.0, [1.5, 2.5, 2.5, 3.0]),  # the limit itself: the grid is kept
+        (1.001, [1.5, 2.501, 3.001, 3.501]),
+        (2.2, [1.5, 3.7, 4.2]),
     ],
 )
-def test_a_timer_keeps_roscpps_rule(args: str) -> None:
-    run = simulate(PROBE, 5.0, args.split())
-    rule = timer_probe(5.0, args.split())
-    assert [(each.source, each.number) for each in run.ticks] == [
-        (f"callback{' 2' if each.source == 'secondCallback' else ''}", each.number) for each in rule
-    ]
-    for ours, theirs in zip(run.ticks, rule, strict=True):
-        # The rule leaves out how long a call takes that goes on after the end.
-        duration = ours.duration if math.isnan(theirs.duration) else theirs.duration
-        assert ours[2:] == pytest.approx((theirs.expected, theirs.real, duration), abs=1e-9)
+def test_after_a_third_call_of_a_length(length: float, wanted: list[float]) -> None:
+    """Source: ros/timer_manager.h, ``updateNext``."""
+    ticks = simulate(PROBE, 4.2, [f"_block:={length}", "_block_call:=3"]).ticks
+    assert [tick.real for tick in ticks][2:6] == wanted
+    assert [tick.duration for tick in ticks][2:4] == pytest.approx([length, 0.0])
+
+
+def claims() -> list[dict[str, str]]:
+    """What the real roscpp told last in each of these runs."""
+    with open(ROOT / "examples/recordings/claims.csv", newline="", encoding="utf-8") as file:
+        last = {row["run"]: row for row in csv.DictReader(file) if row["language"] == "roscpp"}
+    return [row for run, row in last.items() if not run.startswith("period")]  # with no pause, by jitter alone
+
+
+@pytest.mark.parametrize("row", claims(), ids=lambda row: row["run"])
+def test_an_odd_timer_does_what_it_did(row: dict[str, str]) -> None:
+    run = simulate(PROBE.with_name("claims_probe.cpp"), float(row["ended_after"]), row["parameters"].split())
+    told = [line.split(",")[2] for line in run.console.splitlines() if line.startswith("said,")]
+    assert str(run.status) == row["status"]
+    # A call that is due as spinOnce() is called came just too late on the real one.
+    assert told[-1] == ("calls: 4" if row["run"] == "rate_spin_once" else row["what"])
+
+
+def test_a_loop_that_only_names_ros_ok_does_not_end(write: Write) -> None:
+    text = (PACKAGE / "spinner_rate_cpp_node.cpp").read_text(encoding="utf-8")
+    assert simulate(write(text.replace("ros::ok()", "ros::ok"), "node.cpp"), 1.0).status == 128 + signal.SIGKILL
 
 
 STAMPED = "\x1b[0m[ INFO] [{}]: [SPINNER CPP NODE] {}\x1b[0m\n"
@@ -124,6 +165,16 @@ def test_a_subscriber_may_name_its_message(write: Write) -> None:
     """As roscpp's overloads of NodeHandle::subscribe do (source: node_handle.h)."""
     console = simulate(write(NAMED, "node.cpp"), 1.0).console
     assert console.splitlines() == ["member 5", "constant 5", "free 5", "member 5"]
+
+
+def test_a_process_that_has_run_a_node_runs_the_next_one() -> None:
+    runs = [simulate(PROBE, 2.0, [f"_period:={period}"]) for period in (0.5, 0.25, 0.5)]
+    (child,) = program._idle
+    child.kill()
+    child.wait()
+    runs.append(simulate(PROBE, 2.0, ["_period:=0.5"]))
+    assert [len(run.ticks) for run in runs] == [4, 8, 4, 4]
+    assert runs[0] == runs[2] == runs[3] and program._idle != [child]
 
 
 def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:

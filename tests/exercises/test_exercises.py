@@ -39,7 +39,6 @@ from rosspin.exercises import EXERCISES, check
 from rosspin.measures import periods
 from rosspin.results.console import read_ticks
 from rosspin.results.recordings import load
-from rosspin.results.roscpp import timer_ticks
 
 IN_PARTS = [exercise for exercise in EXERCISES if exercise.part]  # the others are a file each
 
@@ -301,8 +300,9 @@ def test_the_slow_subscriber_hears_what_the_solution_says(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(("variable", "blocks_for"), [("after_0_6_seconds", 0.6), ("after_1_0_seconds", 1.0)])
-def test_the_rule_of_roscpp_gives_what_the_solution_says(variable: str, blocks_for: float) -> None:
-    ticks = timer_ticks(0.4, lambda number: blocks_for if number == 3 else 0.0, 6.0)
+def test_roscpp_gives_what_the_solution_says(variable: str, blocks_for: float) -> None:
+    args = ["_period:=0.4", f"_block:={blocks_for}", "_block_call:=3"]
+    ticks = simulate(ROOT / "examples/timing_probes/src/timer_probe.cpp", 6.0, args).ticks
     assert [tick.real for tick in ticks[3:6]] == pytest.approx(solution_of("cpp-ticks")[variable])
 
 

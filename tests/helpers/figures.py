@@ -16,8 +16,6 @@ from tree import ROOT
 
 from rosspin import Tick, rclpy, simulate
 from rosspin.clocks.simulation import Simulation
-from rosspin.results.roscpp import timer_probe
-from rosspin.results.rules import calculated
 from rosspin.run.simulate import run_captured
 from rosspin.run.source import load_source
 
@@ -44,9 +42,11 @@ def spinner(path: Path, callback: str) -> Callable[[float], Runs]:
 
 
 def probes(*words: str, seconds: float) -> Callable[[float], Runs]:
+    files = {"rospy": PROBE, "roscpp": PROBE.with_suffix(".cpp")}
+
     def run(block: float) -> Runs:
         args = [f"_block:={block}", *words]
-        return {"rospy": simulate(PROBE, seconds, args).ticks, "roscpp": timer_probe(seconds, args)}
+        return {name: simulate(file, seconds, args).ticks for name, file in files.items()}
 
     return run
 
@@ -64,23 +64,16 @@ def both_of_ros_2(name: str) -> Callable[[float], Runs]:
 
     def run(block: float) -> Runs:
         args = ["--ros-args", "-p", f"block:={block}", "-p", "block_call:=3"]
-        rclpy_ticks = simulate(PROBE_2.with_name(f"{name}.py"), 6, args).ticks
-        return {"rclpy": rclpy_ticks, "rclcpp": calculated(f"ros2/{name}.cpp", 6, args)}
+        files = {"rclpy": f"{name}.py", "rclcpp": f"{name}.cpp"}
+        return {row: simulate(PROBE_2.with_name(file), 6, args).ticks for row, file in files.items()}
 
     return run
 
 
 def three(*words: str, seconds: float) -> Callable[[float], Runs]:
-    """One callback in rospy, roscpp by its rule, and rclpy."""
+    """One callback in rospy, roscpp and rclpy."""
     one, two = probes(*(f"_{word}" for word in words), seconds=seconds), ros_2(*words, seconds=seconds)
     return lambda block: {**one(block), **two(block)}
-
-
-def three_simulated(*words: str, seconds: float) -> Callable[[float], Runs]:
-    """The same, but roscpp is simulated, too."""
-    others, ros_1 = three(*words, seconds=seconds), [f"_{word}" for word in words]
-    in_cpp = PROBE.with_suffix(".cpp")
-    return lambda block: {**others(block), "roscpp": simulate(in_cpp, seconds, [f"_block:={block}", *ros_1]).ticks}
 
 
 def loops(work: float) -> Runs:
@@ -166,8 +159,8 @@ FIGURES = [
     Kind("index.html", 0, "Time delta", spinner(SPINNER_ROS2, "timer_callback")),
     Kind("docs/tutorial.html", 0, "Time delta", spinner(SPINNER, "timerCallback")),
     Kind("notebooks/rate.html", 0, "Work in each pass", loops),
-    Kind("notebooks/slow-callback.html", 0, "The third call takes", three_simulated("block_call:=3", seconds=6.2)),
-    Kind("notebooks/slow-callback.html", 1, "Every call takes", three_simulated(seconds=6.2)),
+    Kind("notebooks/slow-callback.html", 0, "The third call takes", three("block_call:=3", seconds=6.2)),
+    Kind("notebooks/slow-callback.html", 1, "Every call takes", three(seconds=6.2)),
     Kind("notebooks/ros2-rate.html", 0, "Work in each pass", ros2_loops),
     Kind("notebooks/ros2-executors.html", 0, "Work of the slow timer", executors),
     Kind("docs/how-timing-works.html", 0, "Every call takes", probes(seconds=6)),

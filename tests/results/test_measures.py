@@ -7,8 +7,9 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tree import ROOT
 
-from rosspin import Mishap, Tick
+from rosspin import Mishap, Tick, simulate
 from rosspin.measures import (
     describe_faults,
     describe_lateness,
@@ -22,7 +23,6 @@ from rosspin.measures import (
     side_by_side,
     verdict,
 )
-from rosspin.results.roscpp import timer_ticks
 
 
 def ticks(*reals: float, period: float = 0.5) -> list[Tick]:
@@ -157,7 +157,8 @@ def test_the_pace_in_words() -> None:
     ],
 )
 def test_the_verdict_on_a_slow_callback(block: float, every: bool, words: str) -> None:
-    assert verdict(timer_ticks(0.5, lambda number: block * (every or number == 3), 6.0), 0.5) == words
+    args = [f"_block:={block}", f"_block_call:={0 if every else 3}"]
+    assert verdict(simulate(ROOT / "examples/timing_probes/src/timer_probe.cpp", 6.0, args).ticks, 0.5) == words
 
 
 def test_the_verdict_where_ticks_are_dropped_and_the_grid_is_kept() -> None:

@@ -19,10 +19,23 @@ from rosspin.run.simulate import run_node
 from rosspin.run.source import load_source
 from rosspin.run.streams import capture
 from rosspin.site.live import plot
-from rosspin.site.pages import _by_rule
 from rosspin.world.graph import TickLog
 
 ROSPY, RCLPY = EXAMPLES / "timing_probes/src/timer_probe.py", EXAMPLES / "ros2/timer_probe.py"
+LEFT = """\
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("node");
+  auto timer = node->create_timer(std::chrono::milliseconds(450), [] {});
+  rclcpp::TimerBase::SharedPtr cancelled = node->create_timer(std::chrono::seconds(1), [&] { cancelled->cancel(); });
+  rclcpp::Rate rate(20);
+  for (int pass = 0; pass < 3; pass++)
+    rate.sleep();
+  rclcpp::spin(node);
+}
+"""
 LONG = {ROSPY: "_block:=9.0 _block_call:=3", RCLPY: "--ros-args -p block:=9.0 -p block_call:=3"}
 
 
@@ -43,6 +56,29 @@ def gone(run: Run, source: str) -> list[float]:
 def test_while_a_call_goes_on(node: Path, seconds: float, wanted: list[float]) -> None:
     run = simulate(node, seconds, LONG[node].split())
     assert gone(run, run.ticks[0].source) == wanted
+
+
+@pytest.mark.parametrize(
+    ("node", "args", "source", "wanted"),
+    [
+        (ROSPY, LONG[ROSPY], "callback", [2.0, 2.5]),  # roscpp's: 3.1 is the first place of a new grid
+        (RCLPY, LONG[RCLPY], "lambda", [2.5, 3.0]),
+        (RCLPY.with_name("rate_probe.py"), LONG[RCLPY], "Rate", [2.0, 2.5, 3.0]),  # its grid begins anew, too
+    ],
+)
+def test_while_a_call_goes_on_in_cpp(node: Path, args: str, source: str, wanted: list[float]) -> None:
+    run = simulate(node.with_suffix(".cpp"), 3.1, args.split())
+    assert gone(run, source) == wanted
+    assert run.coming[-1].real > 3.1 and all(tick.real == 3.1 for tick in run.coming[:-1])
+
+
+def test_in_cpp_what_is_on_time_loses_nothing(tmp_path: Path) -> None:
+    """A timer that was cancelled has no next call, and a loop that was left for a spin no next pass."""
+    node = tmp_path / "node.cpp"
+    node.write_text(LEFT, encoding="utf-8")
+    run = simulate(node, 3.1)
+    assert [tick[:4] for tick in run.coming] == [("lambda", 7, 3.15, 3.15)]
+    assert sum(tick.source == "Rate" for tick in run.ticks) == 3
 
 
 def test_a_timer_that_starves() -> None:
@@ -72,18 +108,6 @@ def test_what_has_ended_loses_nothing() -> None:
         rospy.sleep(0.7)
 
     assert [simulate(node, 3.0).coming for node in (cancelled, once, returns)] == [(), (), ()]
-
-
-@pytest.mark.parametrize(
-    ("file", "args", "wanted"),
-    [
-        ("timing_probes/src/timer_probe.cpp", "_block:=9.0 _block_call:=3", [2.0, 2.5, 3.0]),
-        ("ros2/timer_probe.cpp", "-p block:=9.0 -p block_call:=3", [2.5, 3.0]),
-    ],
-)
-def test_in_cpp_by_their_rules(file: str, args: str, wanted: list[float]) -> None:
-    """roscpp gives up even the call that is overdue: it begins a new grid when the long one returns."""
-    assert gone(_by_rule(file, 3.1, args.split(), 0.5), "timerCallback") == wanted
 
 
 # --- Rates: the pass that goes on at the end is one of those that come ------------------------------------------------

@@ -144,7 +144,11 @@ function run({ bytes, ros, filename, seconds, args, speed }, page) {
     /** @type {import("./protocol.js").Tick} */ ([source.slice(0, NAME), number, expected, real, Math.max(duration, 0)]))
   const ticks = all.slice(-SHOWN.ticks)
   const since = ticks.length === all.length ? 0 : Math.min(...ticks.map(([, , expected]) => expected))
-  const groups = [...bySource(all)].map(([source, group]) => ({ source, group, gone: lost(group, node.periods.get(source) ?? 0) }))
+  const groups = [...bySource(all)].map(([source, group]) => {
+    const [, last] = group[group.length - 1]
+    const coming = node.foreseen.filter(([name, number]) => name === source && number > last)
+    return { source, group, gone: lost([...group, ...coming], node.periods.get(source) ?? 0) }
+  })
   const first = all.length - ticks.length
   return {
     ...failed,

@@ -6,6 +6,7 @@ what it has done, and waits. Here that wait is one of a stack on the clock, like
 
 from __future__ import annotations
 
+import atexit
 import codecs
 import json
 import os
@@ -76,20 +77,24 @@ class _Running:
         self._streams = {1: _Stream(lambda: sys.stdout), 2: _Stream(lambda: sys.stderr)}
         self._ros = _answers(program.ros)(world, self._come)
         self._data = bytearray()  # that was read, and not used yet
+        self._has_ended = False  # by itself
 
     def run(self) -> None:
         for number in (signal.SIGINT, signal.SIGTERM):
             self._world.handlers[number] = self._on_signal
-        command = [*node_command(), str(_RUN), str(self._program.wasm)]
-        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0) as self._child:
-            try:
-                self._send(self._start())
-                self._follow()
-            finally:
-                self._child.kill()
+        self._child = _begin()
+        try:
+            self._send(self._start())
+            self._follow()
+        finally:
+            if self._has_ended:
+                _idle.append(self._child)
+            else:
+                _end(self._child)
 
     def _start(self) -> dict[str, Any]:
         return {
+            "program": str(self._program.wasm),
             "args": self._world.argv,
             "environment": dict(os.environ),
             "start": str(self._clock.now()),
@@ -109,6 +114,7 @@ class _Running:
             if "trap" in batch:
                 self._trapped(batch["trap"], batch["where"])
             if "status" in batch:
+                self._has_ended = True
                 raise SystemExit(batch["status"])
             if "asks" in batch:
                 what, values = unpacked(batch["asks"])
@@ -219,7 +225,11 @@ class _Running:
             log.end(self._open.pop(tick), duration)
         elif what == "tell":
             name, arguments = unpacked(values[0])
-            self._ros.take(name, arguments)
+            if name != "coming":
+                self._ros.take(name, arguments)
+            elif log is not None and log.is_over:
+                sources = [self._sources[number] for number in arguments[::4]]
+                log.coming += zip(sources, arguments[1::4], arguments[2::4], arguments[3::4])
 
     def _note_ticks(self, data: bytes) -> None:
         """Record ticks, written as ``js/shared.mjs`` says, in whole columns: a run may have a million."""
@@ -247,6 +257,30 @@ class _Running:
     def _stand_still(self) -> None:
         self._child.kill()
         self._clock.stand_still(Place(self._program.path, 0))
+
+
+# Processes of Node.js whose nodes have ended: to start another takes longer than most runs.
+_idle: list[subprocess.Popen[bytes]] = []
+os.register_at_fork(after_in_child=_idle.clear)
+
+
+def _begin() -> subprocess.Popen[bytes]:
+    while _idle:
+        if (child := _idle.pop()).poll() is None:
+            return child
+    command = [*node_command(), str(_RUN)]
+    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, cwd=_RUN.parent)
+
+
+def _end(child: subprocess.Popen[bytes]) -> None:
+    with child:
+        child.kill()
+
+
+@atexit.register
+def _end_idle() -> None:
+    while _idle:
+        _end(_idle.pop())
 
 
 def _answers(ros: int) -> Any:

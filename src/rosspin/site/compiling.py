@@ -12,11 +12,14 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.typing import ExtensionMetadata
 
 from ..cpp import build_together
-from ..run.source import is_cpp
+from ..run.source import CPP, is_cpp
+from .vehicle import NODES
 
 __all__ = ["setup"]
 
-_FILE = re.compile(r"""["'](?:\.\./)*(examples/[\w./-]+\.(?:cpp|launch))["']""")
+_FILE = re.compile(
+    r"""(?:["']|^(?:   \w+|\.\. ticks:): )(?:\.\./)*(examples/[\w./-]+\.(?:cpp|launch))(?![\w.-])""", re.MULTILINE
+)
 _LIVE = re.compile(
     r"^[ ]*\.\. literalinclude:: (?:\.\./)*(examples/[\w./-]+\.cpp)\n(?:[ ]+:.*\n)*?[ ]+:class:.*\blive\b", re.MULTILINE
 )
@@ -45,7 +48,8 @@ def _nodes(page: str, root: Path) -> Iterator[tuple[str, str | None]]:
 
     A launch file is no node, but may start one.
     """
-    for file in dict.fromkeys([*_FILE.findall(page), *_LIVE.findall(page)]):
+    shown = [file for file, _ in NODES.values() if ".. vehicle::" in page and file.endswith(CPP)]
+    for file in dict.fromkeys([*_FILE.findall(page), *_LIVE.findall(page), *shown]):
         yield str(root / file), None
     for text in _CELL.findall(page):
         if is_cpp(text):

@@ -9,7 +9,7 @@ import shlex
 import subprocess
 import sys
 import textwrap
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import chdir
 from dataclasses import replace
 from pathlib import Path
@@ -38,7 +38,6 @@ from ..orders.exploring import compare_orders
 from ..plots import both_orders, overview, picture, with_handle
 from ..plots.pictures import figure_of, new_axes, page
 from ..results import machine
-from ..results.rules import calculated
 from ..results.ticks import Run, Tick
 from ..run.host import kept, replaced
 from ..run.simulate import run_captured
@@ -51,7 +50,7 @@ from .vehicle import NODES, figure
 
 __all__ = ["setup"]
 
-_BEYOND = 60.0  # s; no call of a probe takes that long
+_CAPTION = "simulated"
 _HEIGHT = 200  # px of a plot of a log
 
 
@@ -69,8 +68,6 @@ class TicksDirective(SphinxDirective):
     number replaces ``{}`` in ARGS, or what the file assigns to the variable named by ``:sets:``. It begins with
     ``:at:``, or as the file has it. ``:lines: FROM-TO`` shows these lines of the file next to the plot, where the
     number follows the handle.
-
-    The only C++ files can be the probes whose rules are known.
     """
 
     has_content = True
@@ -112,16 +109,12 @@ class TicksDirective(SphinxDirective):
             raise ValueError(f"there is no {name}: a path begins where the page is")
         return os.fspath(path)
 
-    def _caption(self) -> str:
-        rules = [name for name, (file, *_) in self._commands().items() if file.endswith(".cpp")]
-        return "; ".join(["simulated", *(f"{name}: calculated by its rule" for name in rules)])
-
     def _plot(self) -> str:
         period = self.options.get("period")
         if "faults" in self.options:
-            return page(picture(self._broken(), period, caption=self._caption()))
+            return page(picture(self._broken(), period, caption=_CAPTION))
         if "handle" not in self.options:
-            return page(picture(self._ticks(None), period, caption=self._caption()))
+            return page(picture(self._ticks(None), period, caption=_CAPTION))
         found = re.fullmatch(r"(.+), (\S+) to (\S+) by (\S+) (.+)", self.options["handle"])
         if found is None:
             raise ValueError("a handle is LABEL, FROM to TO by STEP UNIT")
@@ -138,7 +131,7 @@ class TicksDirective(SphinxDirective):
         runs = {value: self._ticks(value, f" at {value:g} {found[5]}") for value in sorted(values)}
         rows = {row: replace(run, ticks=[], coming=()) for rows in runs.values() for row, run in rows.items()}
         runs = {value: rows | ticks for value, ticks in runs.items()}
-        return with_handle(found[1], found[5], runs, at, period, sets, caption=self._caption()).html
+        return with_handle(found[1], found[5], runs, at, period, sets, caption=_CAPTION).html
 
     def _broken(self) -> Run:
         if len(self._commands()) > 1 or "handle" in self.options or "topic" in self.options:
@@ -175,8 +168,6 @@ class TicksDirective(SphinxDirective):
         return float(self.options["seconds"])
 
     def _run(self, path: str, args: list[str], value: float | None) -> Run:
-        if path.endswith(".cpp"):
-            return _by_rule(path, self.options["seconds"], args, self.options.get("period", _BEYOND))
         node = load(path)
         if value is not None and "sets" in self.options:
             at = self._assignment(self.options["sets"])
@@ -203,7 +194,7 @@ class TicksDirective(SphinxDirective):
         file = Path(self._file(next(iter(self._commands().values()))[0]))
         text = textwrap.dedent("\n".join(file.read_text(encoding="utf-8").splitlines()[first - 1 : last]))
         yield nodes.raw("", '<div class="rosspin-beside">', format="html")
-        yield nodes.literal_block(text, text, language="python")
+        yield nodes.literal_block(text, text, language="cpp" if is_cpp(text) else "python")
         yield drawn
         yield nodes.raw("", "</div>", format="html")
 
@@ -211,20 +202,6 @@ class TicksDirective(SphinxDirective):
 def _only(source: str, run: Run) -> Run:
     ticks, coming = (by_source(found).get(source, []) for found in (run.ticks, run.coming))
     return replace(run, ticks=ticks, coming=coming)
-
-
-def _by_rule(path: str, seconds: float, args: Sequence[str], period: float) -> Run:
-    """Calculate the ticks of a C++ node; what comes next is in those of a run that is longer."""
-    ticks = calculated(path, seconds, args)
-    coming = list[Tick]()
-    for source, later in by_source(calculated(path, seconds + _BEYOND, args)[len(ticks) :]).items():
-        grid = next((tick for tick in ticks if tick.source == source), later[0]).expected
-        # What a call that continues makes the timer lose after the end is no concern of this run.
-        place = grid + period * ((seconds - grid + 1e-9) // period + 1)
-        for tick in later[: 1 + (later[0].expected <= seconds)]:
-            expected = min(tick.expected, place)
-            coming.append(tick._replace(expected=expected, real=max(expected, min(tick.real, seconds))))
-    return Run("", ticks, 0, "calculated", seconds, coming=coming)
 
 
 class ScenesDirective(TicksDirective):

@@ -5,15 +5,12 @@ from __future__ import annotations
 import html
 import io
 import json
-from collections.abc import Sequence
 from contextlib import chdir
 from pathlib import Path
 
 from ..measures import by_source
 from ..plots.vehicle import PERIOD, SECONDS, Drive, drive, preview, svg
-from ..results.rules import calculated
 from ..results.saving import save_whole
-from ..results.ticks import Tick
 from ..run.simulate import simulate
 
 __all__ = ["NODES", "drawing", "figure", "save_preview"]
@@ -29,22 +26,19 @@ NODES = {
     "ROS 1 in Python": ("examples/timing_probes/src/timer_probe.py", _PROBE1),
     "ROS 1 in C++": ("examples/timing_probes/src/timer_probe.cpp", _PROBE1),
 }
-_STEERING = {"second_callback", "secondCallback", "callback 2"}
+_STEERING = {"second_callback", "callback 2", "lambda 2"}
 _LENGTHS = [n / 10 for n in range(21)]  # that the call takes, s
 _AT = 1.8  # shown first
 
 _CAPTION = (
-    "Simulated; {}: each calculated by its rule. Each dot is a tick of the timer that steers. Where the way is thick "
-    "and orange, a tick is overdue. When both callbacks were due at the same time, rclcpp called the one that steers "
-    "first."
+    "Simulated. Each dot is a tick of the timer that steers. Where the way is thick and orange, a tick is overdue. "
+    "When both callbacks were due at the same time, rclcpp called the one that steers first."
 )
 
 
 def _drive(name: str, length: float) -> Drive:
     file, words = NODES[name]
-    args = words.format(length).split()
-    is_cpp = file.endswith(".cpp")
-    ticks: Sequence[Tick] = calculated(file, SECONDS, args) if is_cpp else simulate(file, SECONDS, args).ticks
+    ticks = simulate(file, SECONDS, words.format(length).split()).ticks
     steering = next(group for source, group in by_source(ticks).items() if source in _STEERING)
     return drive(tick.real for tick in steering)
 
@@ -97,7 +91,6 @@ def figure(root: Path) -> str:
         f"{html.escape(name)}</label>"
         for number, name in enumerate(NODES)
     )
-    ruled = " and ".join(name for name, (file, _) in NODES.items() if file.endswith(".cpp"))
     return f"""<figure class="rosspin-plot rosspin-vehicle" data-vehicle='{data}'>
 <fieldset hidden><legend>A node of</legend>{choices}</fieldset>
 <label class="rosspin-handle" hidden>Another callback takes <b aria-hidden="true">{_AT:.1f} s</b>
@@ -106,4 +99,4 @@ aria-valuetext="{_AT:.1f} s">
 </label>
 {svg(drives[next(iter(NODES))][first], alternative)}
 <p><button type="button" hidden>Play</button> <output>{words}</output></p>
-<figcaption>{_CAPTION.format(ruled)}</figcaption></figure>"""
+<figcaption>{_CAPTION}</figcaption></figure>"""

@@ -127,9 +127,11 @@ class TickLog:
         self.rates: WeakSet[Looping] = WeakSet()
         self.periods: dict[str, int] = {}  # ns, of each source; 0: its grid was moved
         self.coming: list[tuple[str, int, int, int]] = []  # source, number, expected, real: see results.ticks.Run
+        self.is_over = False  # then C++ nodes add what comes next of theirs
 
     def look_ahead(self, find_trails: Callable[[], Mapping[int, Trail]]) -> None:
         """Note which calls of timers and passes of loops would come next. For the trails see :class:`Looping`."""
+        self.is_over = True
         timers = sorted(self.timers, key=lambda each: each._rosspin_source)
         self.coming = [call for timer in timers for call in timer._rosspin_coming()]
         if self.rates:

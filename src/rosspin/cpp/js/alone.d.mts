@@ -15,6 +15,7 @@ export class Alone {
     shown: Told,
   )
   ticks: Tick[]
+  foreseen: Tick[]
   periods: Map<string, number>
   readonly now: bigint
   run(): { status: number; end: number }

@@ -35,6 +35,7 @@ class Ended extends Error {
 export class Alone extends Node {
   /** Each [source, number, expected, real, duration], times in s; duration -1: it goes on. */
   ticks = []
+  foreseen = [] // those that would have come next
   periods = new Map() // (s) by source
   #names = []
   #going = [] // the ticks that go on, by their numbers
@@ -87,7 +88,8 @@ export class Alone extends Node {
   note(what, ...values) {
     if (what === "tell") {
       const [name, more] = unpacked(values[0])
-      this.#ros.told[name](...more)
+      if (name === "coming") this.#foresee(more)
+      else this.#ros.told[name](...more)
     } else if (what === "source") {
       const [name, period] = values
       const count = this.#names.filter((each) => each.base === name).length + 1
@@ -98,6 +100,13 @@ export class Alone extends Node {
       this.#take({ ticks: this.shared.takeTicks() })
       this.ticks[tick][4] = duration / NS
       this.#going.splice(this.#going.indexOf(tick), 1)
+    }
+  }
+
+  #foresee(values) {
+    for (let at = 0; at < values.length; at += 4) {
+      const [source, number, due, real] = values.slice(at, at + 4).map(Number)
+      this.foreseen.push([this.#names[source].name, number, due / NS, real / NS, -1])
     }
   }
 

@@ -1,4 +1,4 @@
-// Runs a C++ node for a host that talks over pipes: node run.mjs PROGRAM. A line of JSON from the host starts it, then
+// Runs C++ nodes, one after the other, for a host that talks over pipes. A line of JSON from the host starts one, then
 // there is a line for each batch and a line for each answer (see node.mjs); of its ticks a batch says
 // how many bytes they are, which follow it.
 
@@ -33,15 +33,14 @@ function put(bytes) {
   for (let at = 0; at < bytes.length; ) at += writeSync(1, bytes, at)
 }
 
-const module = new WebAssembly.Module(readFileSync(process.argv[2]))
-const start = read()
-const node = new Node(
-  module,
-  start,
-  (batch) => {
-    pass(batch)
-    return read()
-  },
-  pass,
-)
-node.run()
+function exchange(batch) {
+  pass(batch)
+  return read()
+}
+
+const modules = new Map()
+for (;;) {
+  const { program, ...start } = read()
+  if (!modules.has(program)) modules.set(program, new WebAssembly.Module(readFileSync(program)))
+  new Node(modules.get(program), start, exchange, pass).run()
+}

@@ -209,22 +209,103 @@ void look()
     rosspin_wait(shared.now + one_look);
 }
 
-int source(const std::string& name, std::int64_t period) { return rosspin_source(name.data(), name.size(), period); }
+namespace
+{
+Ticking* first = nullptr;  // of all of them
+}  // namespace
 
-std::int64_t begin_tick(int source, int number, std::int64_t expected, std::int64_t real)
+Ticking::Ticking() : next_(std::exchange(first, this)) {}
+Ticking::Ticking(const Ticking& other) : Ticking() { *this = other; }
+
+Ticking& Ticking::operator=(const Ticking& other)
+{
+  source_ = other.source_;
+  count_ = other.count_;
+  return *this;
+}
+
+Ticking::~Ticking()
+{
+  Ticking** at = &first;
+  while (*at != this)
+    at = &(*at)->next_;
+  *at = next_;
+}
+
+void Ticking::tick_as(const std::string& name, std::int64_t period)
+{
+  if (source_ < 0)
+    source_ = rosspin_source(name.data(), name.size(), period);
+}
+
+std::int64_t Ticking::begin_tick(std::int64_t expected, std::int64_t real)
 {
   if (shared.ticks == most_ticks)
     rosspin_flush();
-  shared.tick[shared.ticks] = {source, number, expected, real, -1};
+  shared.tick[shared.ticks] = {source_, ++count_, expected, real, -1};
   return shared.first + shared.ticks++;
 }
 
-void end_tick(std::int64_t tick, std::int64_t duration)
+void Ticking::end_tick(std::int64_t tick, std::int64_t duration)
 {
   if (tick >= shared.first)
     shared.tick[tick - shared.first].duration = duration;
   else
     rosspin_end(tick, duration);
+}
+
+Loop::Loop() : grid_(now()), begun_(grid_) {}
+
+std::int64_t Loop::end_pass(const char* name, std::int64_t now)
+{
+  left_ = false;
+  tick_as(name, period_);
+  end_tick(begin_tick(grid_, begun_), rosspin::now() - begun_);
+  grid_ += period_;
+  return wakes_ = wake(mark_, now);
+}
+
+void Loop::begin_pass()
+{
+  wakes_ = never;
+  begun_ = now();
+}
+
+void Ticking::leave_loops()
+{
+  for (Ticking* each = first; each; each = each->next_)
+    each->left_ = true;
+}
+
+std::vector<std::pair<std::int64_t, std::int64_t>> Loop::coming() const
+{
+  std::vector<std::pair<std::int64_t, std::int64_t>> found;
+  if (!count_ || left_ || period_ <= 0)
+    return found;
+  std::int64_t ends = time(), ahead = ends - shared.now, mark = mark_, grid = grid_, begins = wakes_;
+  if (begins == never)
+  {
+    found.emplace_back(grid, begun_);
+    grid += period_;
+    begins = wake(mark, ends);
+  }
+  for (;; begins = wake(mark, ends), grid += period_)
+  {
+    found.emplace_back(grid, begins - ahead);
+    if (begins > ends)
+      return found;
+  }
+}
+
+void tell_coming()
+{
+  std::vector<Value> values;
+  for (Ticking* each = first; each; each = each->next_)
+    if (std::int64_t number = each->count_; each->source_ >= 0)
+      for (auto [due, real] : each->coming())
+        for (std::int64_t value : {std::int64_t(each->source_), ++number, due, real})
+          values.emplace_back(value);
+  tell("coming", std::move(values));
 }
 
 Value ask(const std::string& what, std::vector<Value> values)
@@ -394,7 +475,12 @@ int pthread_create(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)
   rosspin::not_simulated("std::thread");
 }
 
-__attribute__((export_name("rosspin_signal"))) void rosspin_signal(int number) { handle(number); }
+__attribute__((export_name("rosspin_signal"))) void rosspin_signal(int number)
+{
+  if (static bool told = false; !std::exchange(told, true))
+    rosspin::tell_coming();
+  handle(number);
+}
 
 // Something has come, as text that the program frees.
 __attribute__((export_name("rosspin_event"))) void rosspin_event(char* text, std::int64_t when)

@@ -254,40 +254,40 @@ bool Clock::wait_until_started(const Duration& timeout, Context::SharedPtr conte
   return started();
 }
 
-Rate::Rate(double rate, Clock::SharedPtr clock)
-  : clock_(std::move(clock)), last_(clock_->now()), grid_(rosspin::now()), begun_(grid_)
+Rate::Rate(double rate, Clock::SharedPtr clock) : clock_(std::move(clock))
 {
   if (rate <= 0.0)
     throw std::invalid_argument("rate must be greater than 0");
-  period_ = Duration::from_seconds(1.0 / rate);
+  period_ = Duration::from_seconds(1.0 / rate).nanoseconds();
+  reset();
 }
 
-Rate::Rate(const Duration& period, Clock::SharedPtr clock)
-  : clock_(std::move(clock)), period_(period), last_(clock_->now()), grid_(rosspin::now()), begun_(grid_)
+Rate::Rate(const Duration& period, Clock::SharedPtr clock) : clock_(std::move(clock))
 {
   if (period <= Duration(0, 0))
     throw std::invalid_argument("period must be greater than 0");
+  period_ = period.nanoseconds();
+  reset();
 }
 
-// sleep() ends one period after the mark, and moves the mark there. If that has passed, it does not sleep; and if a whole
-// period more has passed, the mark is set one period ahead of now (source: rate.cpp, Rate::sleep).
 bool Rate::sleep()
 {
-  if (source_ < 0)
-    source_ = rosspin::source("Rate", period_.nanoseconds());
-  rosspin::end_tick(rosspin::begin_tick(source_, ++passes_, grid_, begun_), rosspin::now() - begun_);
-  grid_ += period_.nanoseconds();
-  Time now = clock_->now(), next = last_ + period_;
-  if (now < last_)
-    next = now + period_;
-  last_ += period_;
-  bool sleeps = next > now;
-  if (sleeps)
-    clock_->sleep_for(next - now);
-  else if (now > next + period_)
-    last_ = now + period_;
-  begun_ = rosspin::now();
-  return sleeps;
+  std::int64_t now = time(), length = end_pass("Rate", now) - now;
+  if (length > 0)
+    clock_->sleep_for(Duration::from_nanoseconds(length));
+  begin_pass();
+  return length > 0;
+}
+
+// A sleep ends one period after the mark, and moves the mark there. If that has passed, it does not sleep; and if a whole
+// period more has passed, the mark is set one period ahead of now (source: rate.cpp, Rate::sleep).
+std::int64_t Rate::wake(std::int64_t& mark, std::int64_t now) const
+{
+  std::int64_t next = std::max(now, now < mark ? now + period_ : mark + period_);
+  mark += period_;
+  if (now > mark + period_)
+    mark = now + period_;
+  return next;
 }
 
 // --- logging (sources: rcutils/logging.c, logging_macros.h) ---
@@ -720,7 +720,7 @@ bool operator==(const QoS& one, const QoS& other) { return profile(one) == profi
 // --- timers (source: rcl/timer.c) ---
 
 TimerBase::TimerBase(Clock::SharedPtr clock, std::chrono::nanoseconds period, Context::SharedPtr context, bool autostart)
-  : Callable(timer), clock_(std::move(clock)), period_(period.count()), cancelled_(!autostart)
+  : Callable(timer), period_(period.count()), clock_(std::move(clock)), cancelled_(!autostart)
 {
   if (!context)
     context = contexts::get_global_default_context();
@@ -753,11 +753,20 @@ void TimerBase::call_back(std::int64_t now)
     next_ = now + least_call;
   else if (next_ <= now)
     next_ += (1 + (now - next_) / period_) * period_;
-  if (source_ < 0)
-    source_ = rosspin::source(name_, period_);
-  std::int64_t tick = rosspin::begin_tick(source_, ++calls_, expected - ahead, begun);
+  std::int64_t tick = begin_tick(expected - ahead, begun);
   callback_(TimerInfo{Time(expected, clock_->get_clock_type()), Time(now, clock_->get_clock_type())});
-  rosspin::end_tick(tick, rosspin::now() - begun);
+  end_tick(tick, rosspin::now() - begun);
+}
+
+std::vector<std::pair<std::int64_t, std::int64_t>> TimerBase::coming() const
+{
+  std::int64_t now = rosspin::now(), next = due();
+  if (next == rosspin::never || period_ < least_period)
+    return {};
+  if (next > now)
+    return {{next, next}};
+  std::int64_t after = next + (1 + (now - next) / period_) * period_;
+  return {{next, now}, {after, after}};
 }
 
 // --- topics and services ---
@@ -1782,6 +1791,7 @@ namespace executors
 void SingleThreadedExecutor::spin()
 {
   Spinning spinning(*this, "spin");
+  rosspin::Ticking::leave_loops();
   while (goes_on())
     if (!call_next())
       wait_for_work(-1);
@@ -1808,6 +1818,7 @@ namespace executors
 void EventsExecutor::spin()
 {
   Spinning spinning(*this, "spin");
+  rosspin::Ticking::leave_loops();
   while (goes_on())
   {
     rosspin::wait(rosspin::now());  // what has come is seen

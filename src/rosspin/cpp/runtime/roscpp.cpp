@@ -101,39 +101,34 @@ bool sleep_until(SteadyTime*, std::int64_t ns)
   return true;
 }
 
-Passes::Passes(std::int64_t period, bool wall) : period(period), wall_(wall), start_(now())
+Passes::Passes(std::int64_t period, bool wall) : wall_(wall)
 {
-  grid_ = begun_ = rosspin::now();
+  period_ = period;
+  reset();
 }
 
-std::int64_t Passes::now() const { return wall_ ? rosspin::system_now() : detail::now(static_cast<Time*>(nullptr)); }
+std::int64_t Passes::time() const { return wall_ ? rosspin::system_now() : detail::now(static_cast<Time*>(nullptr)); }
 
-void Passes::reset() { start_ = now(); }
+bool Passes::sleep()
+{
+  std::int64_t ends = time();
+  cycle = ends - mark_;
+  std::int64_t length = end_pass(wall_ ? "WallRate" : "Rate", ends) - ends;
+  if (length > 0)
+    sleep_for(length);
+  else
+    rosspin::look();
+  begin_pass();
+  return length > 0;
+}
 
 // A pass that ends later than it should lets the next one begin at once. Two periods late or more, the grid is given up
 // for one that begins now (source: rostime/rate.cpp, Rate::sleep).
-bool Passes::sleep()
+std::int64_t Passes::wake(std::int64_t& mark, std::int64_t now) const
 {
-  std::int64_t ends = now(), expected = start_ + period;
-  if (source_ < 0)
-    source_ = rosspin::source(wall_ ? "WallRate" : "Rate", period);
-  rosspin::end_tick(rosspin::begin_tick(source_, ++passes_, grid_, begun_), rosspin::now() - begun_);
-  grid_ += period;
-  if (ends < start_)  // the clock has gone back
-    expected = ends + period;
-  cycle = ends - start_;
-  start_ = expected;
-  bool in_time = expected > ends;
-  if (in_time)
-    sleep_for(expected - ends);
-  else
-  {
-    rosspin::look();
-    if (ends > expected + period)
-      start_ = ends;
-  }
-  begun_ = rosspin::now();
-  return in_time;
+  std::int64_t expected = (now < mark ? now : mark) + period_;  // where the clock has gone back
+  mark = now > expected + period_ ? now : expected;
+  return std::max(now, expected);
 }
 }  // namespace detail
 
@@ -513,6 +508,7 @@ void SingleThreadedSpinner::spin(CallbackQueue* queue)
 {
   if (!queue)
     queue = getGlobalCallbackQueue();
+  rosspin::Ticking::leave_loops();
   while (node().ok)
     if (queue->await(rosspin::never))
       queue->callAvailable();
@@ -537,9 +533,16 @@ struct TimerImpl::Run : CallbackInterface
   TimerImpl* timer;  // null once it was stopped
   std::int64_t last_expected = 0, last_real = 0, last_expired = 0, next = 0, expired = 0, duration = 0;
   bool waits = true;  // for its time; otherwise in the queue, or being called
+  bool is_called = false;
   std::uint64_t order;
   CallResult call() override;
   std::int64_t time() const { return timer->system_ ? rosspin::system_now() : rosspin::now(); }
+  // When the call is due after one that was due at `due` and has returned now.
+  std::int64_t after(std::int64_t due, std::int64_t now) const
+  {
+    std::int64_t next = due <= now ? due + timer->period : due;
+    return next + timer->period < now ? now : next;
+  }
 };
 }  // namespace detail
 
@@ -605,6 +608,7 @@ void TimerImpl::start()
   if (started)
     return;
   started = true;
+  tick_as(name_, period);
   run_ = boost::make_shared<Run>();
   run_->timer = this;
   std::uint64_t id = run_->order = ++timers().count;
@@ -659,6 +663,22 @@ void TimerImpl::set_period(std::int64_t new_period, bool reset)
   period = new_period;
 }
 
+std::vector<std::pair<std::int64_t, std::int64_t>> TimerImpl::coming() const
+{
+  std::vector<std::pair<std::int64_t, std::int64_t>> found;
+  if (!started || !pending() || period <= 0 || (oneshot_ && run_->is_called))
+    return found;
+  std::int64_t now = run_->time(), ahead = now - rosspin::now(), next = run_->next;
+  if (run_->is_called)
+    next = run_->after(next, now);
+  for (;; next = run_->after(next, now))
+  {
+    found.emplace_back(next - ahead, std::max(next, now) - ahead);
+    if (next > now)
+      return found;
+  }
+}
+
 // A timer waits again only after its callback has returned. Its next call is due one period after the last one was; if
 // even the one after that would have been due already, it is due now.
 CallbackInterface::CallResult TimerImpl::Run::call()
@@ -676,14 +696,14 @@ CallbackInterface::CallResult TimerImpl::Run::call()
   called.expired = expired;
   called.duration = duration;
   std::int64_t begun = rosspin::now();
-  if (self->source_ < 0)
-    self->source_ = rosspin::source(self->name_, self->period);
   std::int64_t ahead = called.real - begun;
-  std::int64_t tick = rosspin::begin_tick(self->source_, ++self->calls_, called.expected - ahead, begun);
+  std::int64_t tick = self->begin_tick(called.expected - ahead, begun);
   auto callback = self->callback_;  // the timer may be destroyed meanwhile
+  is_called = true;
   callback(called);
+  is_called = false;
   duration = rosspin::now() - begun;
-  rosspin::end_tick(tick, duration);
+  TimerImpl::end_tick(tick, duration);
   if (!timer)
     return Success;
   last_real = called.real;
@@ -696,12 +716,8 @@ CallbackInterface::CallResult TimerImpl::Run::call()
   else
   {
     if (next <= now)
-    {
       last_expected = next;
-      next += timer->period;
-    }
-    if (next + timer->period < now)
-      next = now;
+    next = after(next, now);
   }
   waits = next != rosspin::never;
   return Success;

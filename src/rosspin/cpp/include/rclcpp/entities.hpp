@@ -134,7 +134,7 @@ struct TimerInfo
   Time expected_call_time, actual_call_time;
 };
 
-class TimerBase : public detail::Callable
+class TimerBase : public detail::Callable, public rosspin::Ticking
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(TimerBase)
@@ -156,18 +156,18 @@ public:
   void call_back() override { call_back(clock_->ns()); }
   // Make the call as of a time of its clock.
   void call_back(std::int64_t now);
+  std::vector<std::pair<std::int64_t, std::int64_t>> coming() const override;
   const Clock& clock() const { return *clock_; }
 
 protected:
   std::function<void(const TimerInfo&)> callback_;
-  std::string name_;
+  std::int64_t period_;
 
 private:
   Clock::SharedPtr clock_;
-  std::int64_t period_, next_;
+  std::int64_t next_;
   bool cancelled_;
   std::function<void(std::size_t)> on_reset_;
-  int source_ = -1, calls_ = 0;
 };
 
 using VoidCallbackType = std::function<void()>;
@@ -183,7 +183,7 @@ public:
       bool autostart = true)
     : TimerBase(std::move(clock), period, std::move(context), autostart)
   {
-    name_ = rosspin::name_of(callback);
+    tick_as(rosspin::name_of(callback), period_);
     auto kept = std::make_shared<Callback>(std::move(callback));  // which may not be copyable
     if constexpr (std::is_invocable_v<Callback&>)
       callback_ = [kept](const TimerInfo&) { (*kept)(); };

@@ -14,6 +14,7 @@
 #include "builtin_interfaces/msg/time.hpp"
 #include "rclcpp/macros.hpp"
 #include "rmw/types.h"
+#include "rosspin/host.h"
 
 typedef std::int64_t rcl_time_point_value_t;
 typedef std::int64_t rcl_duration_value_t;
@@ -222,7 +223,7 @@ public:
   virtual void reset() = 0;
 };
 
-class Rate : public RateBase
+class Rate : public RateBase, rosspin::Loop
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Rate)
@@ -231,15 +232,13 @@ public:
   bool sleep() override;
   bool is_steady() const { return get_type() == RCL_STEADY_TIME; }
   rcl_clock_type_t get_type() const override { return clock_->get_clock_type(); }
-  void reset() override { last_ = clock_->now(); }
-  std::chrono::nanoseconds period() const { return std::chrono::nanoseconds(period_.nanoseconds()); }
+  void reset() override { mark_ = clock_->ns(); }
+  std::chrono::nanoseconds period() const { return std::chrono::nanoseconds(period_); }
 
 private:
+  std::int64_t time() const override { return clock_->ns(); }
+  std::int64_t wake(std::int64_t& mark, std::int64_t now) const override;
   Clock::SharedPtr clock_;
-  Duration period_;
-  Time last_;
-  int source_ = -1, passes_ = 0;
-  std::int64_t grid_, begun_;  // in the run's time
 };
 
 class WallRate : public Rate

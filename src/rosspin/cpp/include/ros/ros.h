@@ -221,15 +221,16 @@ struct Called
 };
 
 // A timer, by the rules of roscpp's timer manager.
-class TimerImpl
+class TimerImpl : public rosspin::Ticking
 {
 public:
   TimerImpl(std::int64_t period, std::function<void(const Called&)> callback, const std::string& name, Tracked tracked,
       CallbackQueueInterface* queue, bool oneshot, bool system);
-  ~TimerImpl() { stop(); }
+  ~TimerImpl() override { stop(); }
   void start();
   void stop();
   bool pending() const;
+  std::vector<std::pair<std::int64_t, std::int64_t>> coming() const override;
   void set_period(std::int64_t period, bool reset);
   bool started = false;
   std::int64_t period;
@@ -240,7 +241,6 @@ private:
   Tracked tracked_;
   CallbackQueueInterface* queue_;
   bool oneshot_, system_;
-  int source_ = -1, calls_ = 0;
   struct Run;
   boost::shared_ptr<Run> run_;
 };

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "rosspin/host.h"
+
 namespace ros
 {
 class Exception : public std::runtime_error
@@ -232,20 +234,19 @@ std::ostream& operator<<(std::ostream& stream, const TimeBase<T, D>& time)
 namespace detail
 {
 // What a Rate, a WallRate have in common: passes of a loop that are to begin at regular times.
-class Passes
+class Passes : rosspin::Loop
 {
 public:
   Passes(std::int64_t period, bool wall);
   bool sleep();
-  void reset();
-  std::int64_t period, cycle = 0;
+  void reset() { mark_ = time(); }
+  std::int64_t period() const { return period_; }
+  std::int64_t cycle = 0;
 
 private:
-  std::int64_t now() const;
+  std::int64_t time() const override;
+  std::int64_t wake(std::int64_t& mark, std::int64_t now) const override;
   bool wall_;
-  std::int64_t start_;  // of this pass, as it should have been
-  int source_ = -1, passes_ = 0;
-  std::int64_t grid_, begun_;  // in the run's time
 };
 }  // namespace detail
 
@@ -257,7 +258,7 @@ public:
   bool sleep() { return passes_.sleep(); }
   void reset() { passes_.reset(); }
   Duration cycleTime() const { return Duration().fromNSec(passes_.cycle); }
-  Duration expectedCycleTime() const { return Duration().fromNSec(passes_.period); }
+  Duration expectedCycleTime() const { return Duration().fromNSec(passes_.period()); }
 
 private:
   detail::Passes passes_;
@@ -271,7 +272,7 @@ public:
   bool sleep() { return passes_.sleep(); }
   void reset() { passes_.reset(); }
   WallDuration cycleTime() const { return WallDuration().fromNSec(passes_.cycle); }
-  WallDuration expectedCycleTime() const { return WallDuration().fromNSec(passes_.period); }
+  WallDuration expectedCycleTime() const { return WallDuration().fromNSec(passes_.period()); }
 
 private:
   detail::Passes passes_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <type_traits>
 #include <typeinfo>
+#include <utility>
 #include <vector>
 
 namespace rosspin
@@ -26,10 +27,54 @@ void sleep_until(std::int64_t until);
 // Whoever asks the same again and again, without waiting, waits by asking.
 void look();
 
-// Something that ticks, and its ticks: the host records them. Times are in ns. Beginning a tick gives what ends it.
-int source(const std::string& name, std::int64_t period);
-std::int64_t begin_tick(int source, int number, std::int64_t expected, std::int64_t real);
-void end_tick(std::int64_t tick, std::int64_t duration);
+// Something that ticks. The host records its ticks, and at the end of the run, what would have come next. Times are in ns.
+class Ticking
+{
+public:
+  Ticking();
+  Ticking(const Ticking& other);
+  Ticking& operator=(const Ticking& other);
+  virtual ~Ticking();
+
+  // List when its next ticks would be due, and come, had nothing more delayed them, up to one that is on time.
+  virtual std::vector<std::pair<std::int64_t, std::int64_t>> coming() const = 0;
+  // Whoever spins until the end has left all loops.
+  static void leave_loops();
+
+protected:
+  void tick_as(const std::string& name, std::int64_t period);
+  // Beginning a tick gives what ends it.
+  std::int64_t begin_tick(std::int64_t expected, std::int64_t real);
+  static void end_tick(std::int64_t tick, std::int64_t duration);
+  int source_ = -1, count_ = 0;
+  bool left_ = false;
+
+private:
+  friend void tell_coming();
+  Ticking* next_;
+};
+
+// What each Rate has: the passes of its loop are to begin at regular times.
+class Loop : public Ticking
+{
+public:
+  std::vector<std::pair<std::int64_t, std::int64_t>> coming() const override;
+
+protected:
+  Loop();
+  // A pass ends `now`: give when the next one begins. Both are times of the Rate's clock.
+  std::int64_t end_pass(const char* name, std::int64_t now);
+  void begin_pass();
+
+  virtual std::int64_t time() const = 0;
+  // When a sleep ends that begins at `now`: it moves the mark, which is where this pass should have begun.
+  virtual std::int64_t wake(std::int64_t& mark, std::int64_t now) const = 0;
+  std::int64_t period_ = 0, mark_ = 0;
+
+private:
+  std::int64_t grid_, begun_;  // in the run's time
+  std::int64_t wakes_ = never;  // while it sleeps
+};
 
 // A value as the host and the program exchange it: of parameters, for example.
 struct Value
