@@ -96,7 +96,7 @@ def test_plots_are_on_paper(browser: Browser, address: str) -> None:
         page.goto(address + "notebooks/rate.html")
         page.emulate_media(media="print")
         plots = page.locator(".cell_output figure.rosspin-plot")
-        assert plots.count() == 5
-        for index in range(5):
+        assert plots.count() > 1
+        for index in range(plots.count()):
             text = plots.nth(index).locator("svg[role=img]:visible text").first
             assert text.evaluate("text => getComputedStyle(text).fill") == "rgb(0, 0, 0)"
