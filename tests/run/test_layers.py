@@ -66,6 +66,7 @@ OF_SPHINX = {
         "checks",
         "compiling",
         "doctests",
+        "exercise_pages",
         "lessons",
         "live",
         "notes",

@@ -162,7 +162,7 @@ def test_a_cell_of_ros_1_drives_one_without_a_roslaunch_that_speaks(
 
 def test_a_task_is_put_into_a_cell_of_its_own(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
     assert shell.run_cell("%answer follow-the-line").success
-    assert "Let a timer steer ten times a second" in capsys.readouterr().out
+    assert "Make it steer ten times a second" in capsys.readouterr().out
     assert shell.rl_next_input.startswith("%%answer follow-the-line\nimport rclpy\n")
     shell.run_cell("%answer follow-the-lane")
     said = capsys.readouterr()

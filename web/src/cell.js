@@ -1,10 +1,8 @@
 // A listing that can be edited and run: its buttons, its status line, what its runs show.
 
 import { Console } from "./console.js"
-import { drawDrive } from "./drive.js"
 import { Kept } from "./kept.js"
 import { find, make } from "./make.js"
-import { Plot } from "./plot.js"
 import { IS_IT_THERE, load, start, warmUp } from "./python.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
@@ -118,6 +116,8 @@ export class Cell {
   #name
   #program // of a node in C++: the SHA-256 of what was compiled with the page; else ""
   #simulates // whether its first line says for how long it runs
+  /** @type {import("./plot.js").Plot | null} */
+  #plot = null // of what runs have done, from the first one on
   /** @type {HTMLElement | null} */
   #made = null // the plot that was made with the page, if there is one
   /** @type {HTMLElement | null | undefined} */
@@ -189,8 +189,6 @@ export class Cell {
     if (this.isCpp) this.edit.title = CLANG
     const file = this.exercise ? "" : this.#name
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
-    this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
-    this.driven = make("div", {})
     this.notice = make("p", { className: "live-notice", hidden: true })
     this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
     listing.append(...this.#arranged())
@@ -208,7 +206,7 @@ export class Cell {
     if (!this.exercise) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
     bar.append(this.progress, this.status)
-    const parts = [this.notice, this.copied, this.driven, this.plot.element, this.#made ?? "", this.console.element]
+    const parts = [this.notice, this.copied, this.#made ?? "", this.console.element]
     const onward = this.exercise ? document.querySelectorAll(".exercise-next") : []
     return [bar, make("div", { className: "live-cell" }, ...parts, ...onward)]
   }
@@ -445,8 +443,8 @@ export class Cell {
    */
   #clear(runs) {
     this.console.clear()
-    this.plot.clear()
-    this.driven.replaceChildren()
+    this.#plot?.clear()
+    this.#plot?.drive([])
     this.#endSteps()
     this.#endSteps = () => {}
     this.copied.hidden = this.pin.hidden = true
@@ -479,9 +477,27 @@ export class Cell {
     const program = { program: source === this.#original ? this.#program : "", ros: !this.isCpp ? 0 : /\brclcpp\//.test(source) ? 2 : 1 }
     const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside, exercise: this.exercise, ...program }
     const hear = (/** @type {import("./runs.js").Told} */ message) => this.#hear(message, job)
-    this.plot.expect(seconds)
+    this.#expect(seconds)
     this.#worker = start(this.#base, job, (message) => number === this.#runs && hear(message))
     this.#say(this.isCpp ? "starting" : "starting Python")
+  }
+
+  /**
+   * Have a plot ready, before anything comes of a run that is to last so long.
+   *
+   * @param {number} seconds
+   */
+  #expect(seconds) {
+    load(this.#base).then(
+      ({ Plot }) => {
+        if (!this.#plot) {
+          this.#plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
+          this.copied.after(this.#plot.driven, this.#plot.element)
+        }
+        this.#plot.expect(seconds)
+      },
+      () => {}, // the run will say so
+    )
   }
 
   /**
@@ -500,12 +516,12 @@ export class Cell {
       this.#blame(message.faults)
     } else if (message.kind === "batch") {
       this.console.print(message.chunks, message.leftOut)
-      this.plot.add(message.ticks)
+      this.#plot?.add(message.ticks)
     } else if (message.kind === "end") {
       this.#worker = null
       this.console.finish()
       const { result } = message
-      this.driven.replaceChildren(drawDrive(result.drive) ?? "")
+      this.#plot?.drive(result.drive)
       if ("solved" in result) this.#say((result.verdict || SEE_CONSOLE) + this.#progress(result.solved))
       else this.#finish(result, job)
       if (!("scenes" in result && result.scenes)) this.#reveal()
@@ -533,7 +549,7 @@ export class Cell {
         this.#reveal()
       })
     }
-    if (count) this.plot.finish(ticks, count, alternative, chunks, end, lost)
+    if (count) this.#plot?.finish(ticks, count, alternative, chunks, end, lost)
     const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
     const done = status === BY_CTRL_C ? `done${ticked}, ended by Ctrl-C${ros ? "" : " with a traceback"}` : SEE_CONSOLE
     this.#say(status ? done : errors ? `done, but with an ${SEE_CONSOLE}` : `done${ticked}`)
@@ -564,7 +580,7 @@ export class Cell {
   #stop() {
     this.#end()
     this.console.finish()
-    this.plot.stop()
+    this.#plot?.stop()
     this.#say("stopped")
   }
 

@@ -1,5 +1,6 @@
 // The ticks of a run as they come, in the look of the site's figures.
 
+import { drawDrive } from "./drive.js"
 import { SHOWN } from "./limits.js"
 import { make } from "./make.js"
 import { Painter } from "./painter.js"
@@ -43,6 +44,7 @@ export class Plot {
     this.#name = name
     this.#choose = choose
     this.element = make("figure", { className: "rosspin-plot" })
+    this.driven = make("div", {}) // what a vehicle did, if there was one
     this.clear()
   }
 
@@ -68,6 +70,11 @@ export class Plot {
   get #until() {
     const last = this.#ticks.at(-1)?.[3] ?? 0
     return Math.min(this.#seconds, STEP * Math.ceil((last + 1e-9) / STEP))
+  }
+
+  /** @param {string[]} drive */
+  drive(drive) {
+    this.driven.replaceChildren(drawDrive(drive) ?? "")
   }
 
   /** @param {Tick[]} ticks */

@@ -4,6 +4,7 @@
 import { Fault, load } from "./files.js"
 import { CPP, PYTHON, Sandbox } from "./sandboxes.js"
 
+export { Plot } from "./plot.js"
 export { Sandbox }
 
 /**
