@@ -40,7 +40,7 @@ _PROGRAMS = _KEPT / "programs"
 
 # Exceptions are those of WebAssembly. Whatever uses a null pointer ends there, as on a computer; in the memory of a
 # program here, it would be as good as any other.
-_FLAGS = ["--target=wasm32-wasip1", "-std=gnu++17", "-O1", "-fwasm-exceptions", "-w", "-fno-color-diagnostics"]
+_FLAGS = ["--target=wasm32-wasip1", "-std=gnu++17", "-Os", "-fwasm-exceptions", "-w", "-fno-color-diagnostics"]
 _FLAGS += ["-D_WASI_EMULATED_SIGNAL", "-D_WASI_EMULATED_PROCESS_CLOCKS", "-D_WASI_EMULATED_GETPID", "-Iinclude"]
 _FLAGS_NODE = ["-fsanitize=null,return", "-fsanitize-trap=null,return", "-ferror-limit=5"]
 _SYSTEM_LIBRARIES = "/usr/lib/wasm32-wasip1"

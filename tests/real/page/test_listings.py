@@ -80,7 +80,7 @@ def test_listing_is_the_file(tutorial: Page) -> None:
 def _is_plain(page: Page, line: str) -> None:
     listing = page.locator(IN_PYTHON).nth(1)
     expect(listing.locator("pre")).to_contain_text("class SpinnerPyNode")
-    expect(page.get_by_text(line).locator("visible=true").nth(1)).to_be_visible()
+    expect(page.get_by_text(line).locator("visible=true").first).to_be_visible()
     expect(listing.get_by_role("button", name="Run")).to_have_count(0)
 
 
