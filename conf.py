@@ -20,6 +20,7 @@ copyright = "the rosspin contributors. The texts are CC BY 4.0, after a page by 
 extensions = ["myst_nb", "rosspin.site.pages", "rosspin.site.live", "rosspin.site.slides"]
 extensions += ["rosspin.site.times", "rosspin.site.paths", "rosspin.site.exercise_pages", "sphinx.ext.autodoc"]
 extensions += ["sphinx_copybutton", "sphinx_design", "notfound.extension", "rosspin.site.published"]
+extensions += ["rosspin.site.search"]
 include_patterns = ["index.rst", "docs/**.rst", "notebooks/*.md"]
 exclude_patterns = [".venv", "build"]  # not walked through in search of pages
 

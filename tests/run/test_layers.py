@@ -73,6 +73,7 @@ OF_SPHINX = {
         "pages",
         "paths",
         "published",
+        "search",
         "slides",
         "times",
     )

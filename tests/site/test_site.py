@@ -11,6 +11,8 @@ import tomllib
 from collections.abc import Iterator
 from copy import copy
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 from urllib.parse import unquote, urlsplit
 
 import pytest
@@ -22,6 +24,7 @@ from docutils import nodes
 from tree import DOCTREES, ROOT, SITE
 
 from rosspin.__main__ import main
+from rosspin.site.search import _keep
 
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 SOURCES = [page.relative_to(ROOT).with_suffix("").as_posix() for page in PAGES]
@@ -433,6 +436,16 @@ def test_a_word_that_a_student_types_leads_to_its_page_first(word: str) -> None:
     entries = {(index["docnames"][page], is_main) for page, _, is_main in index["indexentries"][word]}
     assert (f"docs/how-to/{FOUND[word]}", True) in entries
     assert "LATER.test(page)" in (SITE / "_static/language_data.js").read_text(encoding="utf-8")
+
+
+def test_the_search_keeps_what_leads_to_pages_that_are_not_written_again() -> None:
+    entries = {"page": [("single", "hang; deadlock", "index-0", "main", None), ("pair", "lost", "", "", None)]}
+    indexer = SimpleNamespace(_index_entries={"other": [("timer", "", "")]})
+    app: Any = SimpleNamespace(builder=SimpleNamespace(indexer=indexer))
+    app.env = SimpleNamespace(domaindata={"index": {"entries": entries}})
+    _keep(app)
+    kept = [("deadlock", "index-0", "main"), ("hang", "index-0", "main")]
+    assert indexer._index_entries == {"other": [("timer", "", "")], "page": kept}
 
 
 def test_every_page_has_a_language_and_one_main_heading(pages: dict[Path, BeautifulSoup]) -> None:
