@@ -453,3 +453,15 @@ def test_a_turn_that_was_interrupted_goes_to_the_next_who_waits() -> None:
             print("interrupted")
 
     assert simulate(node, 5).console == "interrupted\nthe next one's turn\n"
+
+
+def test_a_thread_that_is_stopped_by_the_end_of_the_run_reports_nothing() -> None:
+    told = []
+
+    def main() -> None:
+        threading.excepthook = lambda args: told.append(args.exc_type)
+        threading.Thread(target=time.sleep, args=(100,), daemon=True).start()
+        time.sleep(1)
+
+    assert simulate(main, 2).status == 0
+    assert told == []

@@ -279,6 +279,7 @@ def _start_stack(starter: Stack, function: Callable[[], None]) -> Stack:
 
 def _run(function: Callable[..., Any], args: Any, kwargs: Any) -> None:
     """Do what the interpreter does with the function of a thread."""
+    _report_no(StackExit, function)
     try:
         if args or kwargs:
             function(*args, **kwargs)
@@ -297,13 +298,17 @@ def _run(function: Callable[..., Any], args: Any, kwargs: Any) -> None:
             sys.unraisablehook(told)
 
 
-def _follow(program: Program, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Wrap the function of a thread on the wall clock, so that the thread belongs to a program and ends with it."""
+def _report_no(end: type[BaseException], function: Callable[..., Any]) -> None:
+    """Keep a thread that is ended so from calling ``threading.excepthook``, which a node may have replaced."""
     thread = getattr(function, "__self__", None)
     if isinstance(thread, threading.Thread):
         report = thread._invoke_excepthook  # type: ignore[attr-defined]
-        # A thread that was ended has nothing to report.
-        thread._invoke_excepthook = lambda *args: isinstance(sys.exception(), Ended) or report(*args)  # type: ignore[attr-defined]
+        thread._invoke_excepthook = lambda *args: isinstance(sys.exception(), end) or report(*args)  # type: ignore[attr-defined]
+
+
+def _follow(program: Program, function: Callable[..., Any]) -> Callable[..., Any]:
+    """Wrap the function of a thread on the wall clock, so that the thread belongs to a program and ends with it."""
+    _report_no(Ended, function)
 
     @wraps(function)
     def run(*args: Any, **kwargs: Any) -> None:
