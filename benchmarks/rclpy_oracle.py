@@ -482,7 +482,7 @@ class Context(Handle):
 
 class Node(Handle):
     def __init__(self, name: str, namespace: str, context: Context, *more: Any) -> None:
-        self.name, self.namespace = name, namespace or "/"
+        self.name, self.namespace, self.context = name, namespace or "/", context
 
     def logger_name(self) -> str:
         return self.name
@@ -500,11 +500,12 @@ class Node(Handle):
 class Publisher(Handle):
     """Of /parameter_events, to which no one listens."""
 
-    def __init__(self, *args: Any) -> None:
-        pass
+    def __init__(self, node: Node, *args: Any) -> None:
+        self.context = node.context
 
     def publish(self, message: Any) -> None:
-        pass
+        if not self.context.valid:
+            raise RCLError("Failed to publish: publisher's context is invalid")
 
 
 class ClockEvent:
