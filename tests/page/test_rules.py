@@ -13,8 +13,9 @@ import pytest
 from tree import ROOT
 
 from rosspin.hand_ins.on_page import ROOM
-from rosspin.measures import say_time
+from rosspin.measures import describe_timeline, lost_by_source, say_time
 from rosspin.plots import layout
+from rosspin.results.ticks import Tick
 from rosspin.site.rules import defined
 
 SCRIPTS = ROOT / "web/src"
@@ -66,8 +67,10 @@ def test_the_verdicts_that_a_page_knows_are_those_of_a_judge() -> None:
 
 def in_script(code: str, given: Any) -> Any:
     """What a piece of the page's script gives for ``given``, with the constants that the build defines."""
-    head = f"Object.assign(globalThis, {json.dumps(defined())})\nconst given = JSON.parse(process.argv[1])\n"
+    head = "import { readFileSync } from 'node:fs'\n"
+    head += f"Object.assign(globalThis, {json.dumps(defined())})\nconst given = JSON.parse(readFileSync(0))\n"
     body = f"const svg = await import({json.dumps((SCRIPTS / 'svg.js').as_uri())})\n"
+    body += f"const measures = await import({json.dumps((SCRIPTS / 'measures.js').as_uri())})\n"
     body += f"const seen = await import({json.dumps((SCRIPTS / 'seen.js').as_uri())})\n"
     command = [
         str(ROOT / ".venv/bin/node"),
@@ -75,7 +78,7 @@ def in_script(code: str, given: Any) -> Any:
         "-e",
         f"{head}{body}console.log(JSON.stringify({code}))",
     ]
-    run = subprocess.run([*command, json.dumps(given)], capture_output=True, text=True)
+    run = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True)
     assert run.returncode == 0, run.stderr
     return json.loads(run.stdout)
 
@@ -123,7 +126,29 @@ def test_a_length_of_time_is_said_alike() -> None:
         1234.0,
         86_400.0,
         1e-6,
+        *(0.03125, 0.0009765625, 0.15625, 2.125),
         *(10 ** drawn.uniform(-9, 6) for _ in range(300)),
     ]
     assert in_script("given.map(time => seen.say(time))", times) == [say_time(time) for time in times]
     assert say_time(0.0) == "0 s" and say_time(1234.0) == "1230 s"
+
+
+def test_ticks_are_described_and_counted_alike() -> None:
+    """Of C++ in a page, where no Python is."""
+    drawn = random.Random(1)
+    runs = []
+    for count in [1, 1, 2, 3, 7, 99, 100, 101, 250] * 12:
+        period = drawn.choice((0.5, 0.0625, 0.1, 1.0))
+        real = expected = drawn.choice((0.0, period, 1 / 3))
+        ticks = []
+        for number in range(1, count + 1):
+            late = drawn.choice((0.0, 0.0, 1e-7, 8.5e-5, 0.0123, 1.7 * period, 2.5 * period, 3.2 * period))
+            real = max(real, expected + late)
+            ticks.append(("timer", number, expected, real, drawn.choice((0.0, 0.3, period + 5e-4, 4.0))))
+            expected += period * drawn.choice((1, 1, 1, 1, 2, 3.5))
+        runs.append((ticks, period))
+    code = "given.map(([ticks, period]) => [measures.describe('timer', ticks), measures.lost(ticks, period)])"
+    for (ticks, period), (said, times) in zip(runs, in_script(code, runs), strict=True):
+        group = [Tick(*each) for each in ticks]
+        assert said == describe_timeline("timer", group)
+        assert times == pytest.approx(lost_by_source(group, {"timer": period}).get("timer", []))

@@ -92,15 +92,27 @@ function describeLateness(ticks) {
   return `Half of the ${count} ticks were at most ${sayTime(middle)} late${share}; the latest was ${latest}.`
 }
 
-/** @param {number} seconds */
-function sayTime(seconds) {
+/**
+ * A length of time (s) in a suitable unit.
+ *
+ * @param {number} seconds
+ */
+export function sayTime(seconds) {
   for (const [unit, size] of /** @type {const} */ ([["s", 1], ["ms", 1e-3]])) {
     if (Math.abs(seconds) >= 0.0995 * size) return `${three(seconds / size)} ${unit}`
   }
   return Math.abs(seconds) >= 0.5e-9 ? `${three(seconds * 1e6)} µs` : "0 s"
 }
 
-const three = (/** @type {number} */ value) => String(Number(value.toPrecision(3)))
+/**
+ * Three digits that count. What is exactly between two is rounded to the even one, as Python does.
+ *
+ * @param {number} value
+ */
+function three(value) {
+  const even = value.toExponential(99).match(/^(-?\d\.\d[02468])50*(e.*)$/)
+  return String(Number(even ? even[1] + even[2] : value.toPrecision(3)))
+}
 
 /**
  * @param {number} seconds

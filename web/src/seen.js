@@ -6,6 +6,8 @@
  * @typedef {import("./svg.js").Row} Row
  */
 
+import { sayTime } from "./measures.js"
+
 /** So many series are drawn; all are in the table. */
 const MOST_ROWS = 4
 
@@ -26,10 +28,7 @@ const LEAST = 0.05
 
 /** A length of time in words: s. */
 export function say(/** @type {number} */ seconds) {
-  const size = Math.abs(seconds)
-  if (size < 0.5e-9) return "0 s"
-  const [unit, factor] = size >= 0.0995 ? ["s", 1] : size >= 0.0995e-3 ? ["ms", 1e3] : ["µs", 1e6]
-  return `${seconds < 0 ? "−" : ""}${Number((size * factor).toPrecision(3))} ${unit}`
+  return sayTime(seconds).replace("-", "−")
 }
 
 /**
