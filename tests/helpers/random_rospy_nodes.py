@@ -173,7 +173,8 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
                 say("rate", number, count, repr(rate.last_time), repr(rate.sleep_dur))
 
         def note(args: Any) -> None:
-            say("timer", made.index(args.thread), "dies of", args.exc_type.__name__, args.exc_value)
+            who = made.index(args.thread) if args.thread in made else "none"
+            say("timer", who, "dies of", args.exc_type.__name__, args.exc_value)
 
         over: list[bool] = []
         time.sleep(BEGIN)

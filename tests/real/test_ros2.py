@@ -357,7 +357,9 @@ def test_the_tutorial_builds_its_package_and_runs_it(ros: None, tmp_path: Path) 
     """By its own commands, with the files where the captions say: what ``ros2 run`` would start is there and starts."""
     sections = TUTORIAL.partition("\nMake a package and build it\n")[2].partition("\nStop the node\n")[0]
     commands = [dedent(found[2]).strip() for found in BASH.finditer(sections)]
-    make_folders, build, source, run, run_file = (code for code in commands if not NOT_RUN.match(code))
+    make_folders, build, source = (code for code in commands if not NOT_RUN.match(code))
+    (run,) = re.findall(r"^ros2 run my_robotics_pkg (.*)", "\n".join(commands), re.MULTILINE)
+    assert "``python3 spinner_py_node.py`` runs the file" in sections
     with ros2.Nodes() as nodes:
         package = nodes.folder / "my-robotics-system/ros2_ws/src/my_robotics_pkg"
         home = {"HOME": str(nodes.folder), "PATH": with_colcon(tmp_path / "colcon")}
@@ -377,7 +379,9 @@ def test_the_tutorial_builds_its_package_and_runs_it(ros: None, tmp_path: Path) 
         assert built.status == 0, built.console
         assert "``Finished <<<`` and the name of your package" in TUTORIAL
         assert "Finished <<< my_robotics_pkg" in built.console
-        for command in (f"{source}\nexec {run}", run_file.replace("python3", "exec python3")):
+        installed = "~/my-robotics-system/ros2_ws/install/my_robotics_pkg/lib/my_robotics_pkg"
+        file = f"{package}/my_robotics_pkg/spinner_py_node.py --ros-args -r __ns:=/mrp"
+        for command in (f"{source}\nexec {installed}/{run}", f"exec python3 {file}"):
             output = type_in(f"{command} > $HOME/stdout", seconds=0.25, begins=re.compile("counter = 2"))
             unspoilt(output.console)
             assert output.status == 0

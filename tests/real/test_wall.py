@@ -21,7 +21,7 @@ from verdicts import control
 import rosspin.run.host
 from rosspin import NotSimulated, Tick, measure, simulate
 
-pytestmark = pytest.mark.shares(2)
+pytestmark = pytest.mark.shares(4)
 
 NEVER = 60  # s; only so that a test that hangs ends at all
 

@@ -12,6 +12,8 @@ from playwright.sync_api import Page, expect
 from rosspin.exercises import EXERCISES, check
 from rosspin.exercises.own import Lesson
 
+pytestmark = pytest.mark.shares(2)
+
 PAGE = "notebooks/drive.html"
 
 ANYWHERE = "The vehicle drives 15.0 m in 8 s and leaves its line by 1.4 m, at 4.8 s. Commands: 16 from /driver_py_node."

@@ -17,7 +17,7 @@ from listings_in_page import (
 )
 from playwright.sync_api import BrowserContext, Page, expect
 
-pytestmark = pytest.mark.shares(2)
+pytestmark = pytest.mark.shares(4)
 
 
 def test_flood(tutorial: Page) -> None:
@@ -45,7 +45,8 @@ def test_flood(tutorial: Page) -> None:
         (
             node("import multiprocessing\nmultiprocessing.Process(target=print).start()"),
             "error",
-            "node.py:5: multiprocessing.Process is not simulated; run this node on the wall clock or on a real ROS",
+            "node.py:5: multiprocessing.Process (forkserver) is not simulated; run this node on the wall clock or on a "
+            "real ROS",
         ),
         (node("input()"), "error", "EOFError"),
     ],

@@ -155,6 +155,8 @@ def test_what_a_run_has_started_ends_with_it(context: BrowserContext, address: s
 
 FORGES = """import js, json
 from pyodide.ffi import create_proxy
+
+pytestmark = pytest.mark.shares(4)
 ticks = [["a", 1, 1, 1, 0]]
 result = {"status": 0, "errors": 0, "count": 1, "ticks": ticks, "end": 1, "alternative": "", "test": "import os\\n"}
 made = json.dumps({"kind": "end", "result": result})

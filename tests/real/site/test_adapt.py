@@ -38,7 +38,7 @@ _WRONG_FIGURES = {
     f"{_NODE}\n:seconds: 2\n:handle: Delta{_SLIDER}\n:sets: delta": f"{_NODE} assigns no number to delta",
     f"{_NODE}\n:seconds: 2\n:handle: Delta from 0.1 to 1\n:at: 0.5": "a handle is LABEL, FROM to TO by STEP UNIT",
     f"{_PROBE}.cpp _threads:=2\n:seconds: 2": (
-        "NotSimulated: ros::AsyncSpinner is not simulated; run this node on a real ROS"
+        "rosspin.world.world.NotSimulated: ros::AsyncSpinner is not simulated; run this node on a real ROS"
     ),
     f"{_PROBE}.cc\n:seconds: 2": f"there is no {_PROBE}.cc: a path begins where the page is",
     f"{_NODE}\n:seconds: 2\n:callbacks: timerCallback tick": f"{_NODE} defines no tick",
