@@ -25,6 +25,8 @@ from rosspin.grading import lanes, sealed, worker
 from rosspin.grading.filtered import _ALLOWED
 from rosspin.grading.lanes import Lanes, Task
 
+pytestmark = pytest.mark.shares(2)
+
 SOLVED = CELLS["slow-timer"][1].source
 
 _SECRET = {"SECRET": "TOPSECRET"}
@@ -384,8 +386,6 @@ def test_a_root_that_is_none_outside(folder: Path, require: Callable[[str], None
 # In Docker's usual container, root has these rights only, and nobody makes namespaces, mounts or another root.
 _CONTAINER = """
 import ctypes, os, struct, sys
-
-pytestmark = pytest.mark.shares(2)
 libc = ctypes.CDLL(None, use_errno=True)
 for right in set(range(41)) - {0, 1, 3, 4, 5, 6, 7, 8, 10, 13, 18, 27, 29, 31}:
     libc.prctl(24, right, 0, 0, 0)

@@ -16,6 +16,8 @@ from listings_in_page import RATE, TIMER, Cell, have_workers, node, open_tutoria
 from log_page import SHOW, LogPage
 from playwright.sync_api import BrowserContext, Page, expect
 
+pytestmark = pytest.mark.shares(4)
+
 
 def said(page: Page, text: str, status: str, index: int = TIMER) -> str:
     cell = Cell(page, index)
@@ -155,8 +157,6 @@ def test_what_a_run_has_started_ends_with_it(context: BrowserContext, address: s
 
 FORGES = """import js, json
 from pyodide.ffi import create_proxy
-
-pytestmark = pytest.mark.shares(4)
 ticks = [["a", 1, 1, 1, 0]]
 result = {"status": 0, "errors": 0, "count": 1, "ticks": ticks, "end": 1, "alternative": "", "test": "import os\\n"}
 made = json.dumps({"kind": "end", "result": result})
