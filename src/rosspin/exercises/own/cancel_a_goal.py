@@ -13,8 +13,6 @@ cancel it at 3.2 s, but the server refuses. Change the server so that
 
 - a cancelled goal stops before the next number, with the status 5, "cancelled", and the numbers so far, and
 - any other goal still succeeds, with the status 4 and all ten numbers.
-
-The check also cancels earlier, with `-p cancel_at:=2.2`, and never, with `-p cancel_at:=9.0`.
 """
 REVEALS = "Whoever cancels a goal stops the server. A goal can be cancelled unless the server refuses."
 
@@ -38,7 +36,7 @@ class RobotPyNode(Node):
         self.send = self.create_timer(1.0, self.send_callback)
         self.stop = self.create_timer(cancel_at, self.stop_callback)
 
-    # The server, which you are to change
+    # The server, which you should change
     def execute_callback(self, goal):
         numbers = [0, 1]
         while len(numbers) < goal.request.order:
@@ -47,7 +45,7 @@ class RobotPyNode(Node):
         goal.succeed()
         return Fibonacci.Result(sequence=numbers)
 
-    # The client, which is to stay as it is
+    # The client, which should stay as it is
     def send_callback(self):
         self.send.cancel()
         future = self.client.send_goal_async(Fibonacci.Goal(order=10))
@@ -107,7 +105,7 @@ SOLUTION = {
     "ActionServer, CancelResponse\n",
     '            self, Fibonacci, "fibonacci", self.execute_callback)\n': "            self, Fibonacci, "
     '"fibonacci", self.execute_callback,\n            cancel_callback=self.may_cancel)\n',
-    "    # The server, which you are to change\n": "    # The server, which you are to change\n"
+    "    # The server, which you should change\n": "    # The server, which you should change\n"
     "    def may_cancel(self, goal):\n"
     "        return CancelResponse.ACCEPT\n"
     "\n",

@@ -80,8 +80,7 @@ SOLUTION = {
     "            sys.exit(1)\n",
 }
 AFTER = """
-`not period > 0` also refuses a period that is not a number, `.nan`. rclpy itself refuses anything that is not a float:
-`-p period:=fast`, and even `-p period:=2`, raise an `InvalidParameterTypeException`.
+rclpy itself refuses anything that is not a float: even `-p period:=2` raises an `InvalidParameterTypeException`.
 """
 
 PLAIN = """import sys

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .. import judges as by
 
-TITLE = "Wake a Rate that sleeps for ever"
+TITLE = "Wake a sleeping Rate"
 TEXT = """
 **You need**: [the Rate node in ROS 2](ros2-rate.md), and what
 [How timing works in ROS 2](../docs/ros2/how-timing-works.rst) says of a Rate.
@@ -12,8 +12,7 @@ TEXT = """
 This loop should make a pass every 0.5 s, but makes only the first. Repair the node so that
 
 - a pass begins every 0.5 s, whether its work takes 0.1 s or longer, and
-- the node ends immediately, with status 0 and without a traceback, at Ctrl-C and at SIGTERM, the signal with which a
-  service manager ends a program.
+- the node ends immediately, with status 0 and without a traceback, at Ctrl-C and at SIGTERM.
 """
 REVEALS = "A Rate needs no thread that spins. Ctrl-C wakes every thread that sleeps."
 
@@ -72,8 +71,8 @@ SOLUTION = {
     "        pass\n",
 }
 AFTER = """
-Often you see it the other way round: the loop in the main function, and a thread that spins. Such a node ticks just as
-well, but SIGTERM does not end it, and what Ctrl-C does is left to chance.
+You often see the loop in the main function, and a thread that spins. SIGTERM does not end such a node, and what Ctrl-C
+does is left to chance.
 """
 
 SPIN = "        rclpy.spin(spinner_py_node)\n"
@@ -125,7 +124,7 @@ RIGHT = [
 """,
         "import rclpy\n": "import rclpy\nimport rclpy.duration\n",
     },
-    # The loop itself lets the timer of its Rate be called.
+    # The loop itself calls the timer of its Rate.
     {SLEEPS: "            rclpy.spin_once(self)\n" + SLEEPS, THREAD: "", SPIN: "        spinner_py_node.loop()\n"},
     # A timer, whose first call is made by hand.
     {
@@ -168,9 +167,9 @@ WRONG = [
     (
         {THREAD: SPINNING_THREAD, SPIN: "        spinner_py_node.loop()\n"},
         "Ctrl-C: the thread stopped with `rclpy.executors.ExternalShutdownException`",
-        "Let the main part spin",
+        "The main part should spin",
     ),
-    (IN_MAIN, "SIGTERM at 3.3 s: the node did not end", "Let the main part spin"),
+    (IN_MAIN, "SIGTERM at 3.3 s: the node did not end", "The main part should spin"),
     (
         {SPIN_CAUGHT: "    rclpy.spin(spinner_py_node)\n"},
         "Ctrl-C: the node stopped in line 28: `KeyboardInterrupt`",
