@@ -478,7 +478,7 @@ def _deque(items: Iterable[Any] = ()) -> deque[Any]:
 class _Pacer:
     """Makes a simulation keep pace with the page's clock, and shows the page each tick as it begins.
 
-    Of the node in the file ``filename``, if one is given, it keeps the steps, with those of ``several`` next to it.
+    Of the node in the file ``filename``, if one is given, it keeps the steps, together with the steps of ``several``.
     """
 
     def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str, ros: Ros, several: bool) -> None:

@@ -441,7 +441,7 @@ def test_the_folder_of_a_single_student(tmp_path: Path) -> None:
     found = class_of(tmp_path / "spin-ada", {"slow-timer.py": "x = 1", "README.md": "x", "test/check.py": "x"})
     assert [(row.name, list(row.answers)) for row in found.rows] == [("spin-ada", ["slow-timer"])]
     assert found.refused == [
-        ("test/check.py", "neither its name nor its first line is that of an exercise, such as slow-timer.py")
+        ("test/check.py", "neither its name nor its first line names an exercise, as slow-timer.py does")
     ]
 
 

@@ -621,7 +621,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({"= 0.1": "= 1 // 10"}, "timer stopped with `ZeroDivisionError: division by zero`", "a period of 0 s"),
         ({"rospy.Duration(timer_delta_t_in_seconds)": "0.1"}, "has no attribute 'to_sec'", "is a Duration"),
         ({"+= 1": "+= 10"}, "where counter 1 was due, counter 10 came", "The counter goes up by 10 each time:"),
-        ({"= 0.1": "= -0.1"}, "simulated time stands still", "goes on without ever sleeping"),
+        ({"= 0.1": "= -0.1"}, "simulated time stands still", "runs without ever sleeping"),
         ({DO_SPIN: ""}, "counter 2, due at 0.2 s, did not come", "The node ended by itself"),
         ({"+ str(self.counter))": "+ str(self.counter)); self.timerCallback(event)"}, "RecursionError", "period"),
         (
@@ -645,7 +645,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             {", oneshot=True": "", "str(self.counter))": "str(self.counter))\n        rospy.sleep(1e6)"},
             "a call of its callback had not returned",
-            "A callback that never returns keeps a thread for ever",
+            "A callback that never returns keeps its thread",
         ),
         (
             {", oneshot=True": "", "str(self.counter))": "str(self.counter))\n        raise SystemExit"},
@@ -660,7 +660,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             f"{NODE}rospy.sleep(1.5)\n{say('1')}\nrospy.spin()",
             "not printed by the callback of a `rospy.Timer`",
-            "Let a timer",
+            "Use a timer",
         ),
         (
             {"str(self.counter))": "str(self.counter))\n        1 / 0"},
@@ -670,7 +670,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             f"import threading\n{NODE}threading.Timer(1.5, lambda: {say('1')}).start()\nrospy.spin()",
             "not printed by the callback of a `rospy.Timer`",
-            "Let a timer",
+            "Use a timer",
         ),
     ],
     "stop-after-five": [
@@ -694,7 +694,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             counts("pass", f"for count in range(1, 6):\n    rospy.sleep(0.5)\n    {say('count')}\nrospy.spin()\n"),
             "not printed by the callback of a `rospy.Timer`",
-            "Let a timer call back",
+            "Use a timer, and stop it",
         ),
         (
             counts(COUNT + "if count == 5:\n    while True: rospy.sleep(1)"),
@@ -816,7 +816,7 @@ rospy.spin()
         (
             {"[SLOW]": "[slow]"},
             "`[SLOW]`: no counter was printed",
-            "The lines are to read `[SLOW] counter = 1` and so on.",
+            "The lines should read `[SLOW] counter = 1` and so on.",
         ),
         ({"self.slowCallback)": "self.fastCallback)"}, "`[SLOW]`: no counter was printed", "callback and counter"),
         ({"        self.slow_counter = 0\n": ""}, "has no attribute 'slow_counter'", "Python names"),
@@ -901,7 +901,7 @@ rospy.spin()
         (
             parts("self.lock.acquire()\nself.parts += 1", LOCKED_REPORT, LOCK),
             "report due at 0.5 s did not come",
-            "releases",
+            "never released",
         ),
         (
             parts(LOCKED_COUNT, f"with self.lock:\n    with self.lock:\n        parts = self.parts\n{SAY_PARTS}", LOCK),
@@ -1093,12 +1093,12 @@ rospy.spin()
         (
             {PUBLISHER: PUBLISHER.replace('"counter"', '"count"')},
             "it was published on `/count`",
-            "The topic of a publisher is that of the listener, letter by letter:",
+            "The publisher uses the listener's topic, letter by letter:",
         ),
         (
             {PUBLISHER: PUBLISHER.replace('"counter"', '"~counter"')},
             "on `/publisher_py_node/counter`",
-            "The topic of a publisher is that of the listener, letter by letter:",
+            "The publisher uses the listener's topic, letter by letter:",
         ),
         (
             {PUBLISHER: PUBLISHER.replace("UInt32", "Int32"), "import UInt32": "import Int32, UInt32"},
@@ -1158,7 +1158,7 @@ rospy.spin()
         (
             planner("rospy.Timer(rospy.Duration(0.2), lambda event: self.publisher.publish(7))"),
             "With `_subscribes_at:=1.0`: the goal arrived 15 times",
-            "Publish once, and let the publisher keep",
+            "Publish once, with a publisher that keeps",
         ),
         (
             planner("rospy.Timer(rospy.Duration(3), lambda event: self.publisher.publish(7), oneshot=True)"),
@@ -1194,7 +1194,7 @@ rospy.spin()
         ({NEWEST: "self.positionCallback, queue_size=0)"}, "queue size may not be set to zero", "has a queue, too"),
         ({NEWEST: 'self.positionCallback, queue_size="1")'}, "queue size must be an integer", "has a queue, too"),
         ({"rospy.sleep(0.33)": "rospy.sleep(0.05)"}, "less than 0.33 s after the last time", "takes 0.33 s"),
-        ({"Duration(0.1)": "Duration(0.4)"}, "the sensor published 25 positions", "The sensor is to stay as it is."),
+        ({"Duration(0.1)": "Duration(0.4)"}, "the sensor published 25 positions", "The sensor should stay as it is."),
         (
             {'position = " + str(message.data)': 'position = " + str(message)'},
             "is not a position that",
@@ -1208,7 +1208,7 @@ rospy.spin()
         (
             {"        rospy.Subscriber": "        pass  # "},
             "the controller: nothing subscribes to `/position`.",
-            "The topic of the subscription is that of the publisher, letter by lett",
+            "The subscription uses the publisher's topic, letter by letter",
         ),
         (
             {NEWEST: "self.positionCallback(), queue_size=1)"},

@@ -45,7 +45,7 @@ const together = []
 const PROGRESS = "rosspin:progress:"
 
 /**
- * Say on a list of exercises, and on their pages, which are solved, and how many; the latter on every page, too, beside
+ * Say on a list of exercises, and on their pages, which are solved, and how many; the latter on every page, too, next to
  * the links to such lists. What leads on from an exercise is shown once that is solved.
  */
 export function showProgress() {
@@ -76,7 +76,7 @@ export function showProgress() {
 }
 
 /**
- * Say beside an element how many exercises of a page are solved, if that is known.
+ * Say next to an element how many exercises of a page are solved, if that is known.
  *
  * @param {HTMLElement} place
  * @param {string} page
@@ -87,7 +87,7 @@ function sayProgress(place, page) {
 }
 
 /**
- * The plot that stands below a listing since the site was built.
+ * The plot below a listing from when the site was built.
  *
  * @param {HTMLElement} listing
  */
@@ -197,7 +197,7 @@ export class Cell {
     this.#showKept()
   }
 
-  /** What the reader can press, which stays in view beside a long listing, and what comes of it. */
+  /** What the reader can press, which stays in view next to a long listing, and what comes of it. */
   #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
     bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
@@ -211,7 +211,7 @@ export class Cell {
     return [bar, make("div", { className: "live-cell" }, ...parts, ...onward)]
   }
 
-  /** Show what came of a run to a reader who has pressed Run beside a listing that ends farther down. */
+  /** Show what came of a run to a reader who has pressed Run next to a listing that ends farther down. */
   #reveal() {
     const { bottom } = /** @type {HTMLElement} */ (this.run.parentElement).getBoundingClientRect()
     const isStuck = bottom > innerHeight - 1 && bottom < innerHeight + 1
@@ -254,7 +254,7 @@ export class Cell {
   // --- the text ---
 
   /**
-   * Show a text in place of the one that stands there. The Copy button of the listing copies it.
+   * Show a text in place of the one that is there. The Copy button of the listing copies it.
    *
    * @param {string} text
    */
@@ -370,8 +370,8 @@ export class Cell {
   // --- links and copies ---
 
   /**
-   * Show a text that came with a link, which stands in for what is kept, and the fields beside it. It is not run. `shown`
-   * is an element with the text as it is to look.
+   * Show a text that came with a link, which stands in for what is kept, and the fields next to it. It is not run. `shown`
+   * is an element with the text as it should look.
    *
    * @param {{kept: Keeping, seconds: number, args: string, notice: string, shown: HTMLElement}} received
    */
@@ -483,7 +483,7 @@ export class Cell {
   }
 
   /**
-   * Have a plot ready, before anything comes of a run that is to last so long.
+   * Have a plot ready, before anything comes of a run that should last so long.
    *
    * @param {number} seconds
    */

@@ -1,4 +1,4 @@
-// Loaded when a node in C++ is to be compiled. The compiler runs in a sandbox of its own, and serves the next node, too.
+// Loaded when a node in C++ should be compiled. The compiler runs in a sandbox of its own, and serves the next node, too.
 
 import { advice, faults } from "./faults.js"
 import { Fault, loadCompiler } from "./files.js"

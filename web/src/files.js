@@ -6,7 +6,7 @@ const base = new URL(".", import.meta.url)
 /** What keeps the snapshot across pages; undefined where the browser offers nothing of the kind, as without https. */
 const opening = globalThis.caches?.open("rosspin").catch(() => undefined)
 
-/** The address of a file, which says which version of it is meant. A program is named by what its SHA-256 is to be. */
+/** The address of a file, which says which version of it is meant. A program is named by what its SHA-256 should be. */
 const address = (/** @type {string} */ name) =>
   new URL(name in FILES ? `${name}?${FILES[name].slice(0, 16)}` : `../programs/${name}.wasm.gz`, base).href
 

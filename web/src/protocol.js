@@ -5,7 +5,7 @@ import { LONGEST, SHOWN } from "./limits.js"
 
 /**
  * What the page sends:
- * @typedef {[source: string, filename: string, args: string]} Beside a node that runs together with the node of the job
+ * @typedef {[source: string, filename: string, args: string]} Beside - a node that runs together with the job's
  * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number,
  *   beside: Beside[]}} RunJob
  * @typedef {{kind: "cpp", name: string, bytes: ArrayBuffer | null, ros: number, filename: string, seconds: number, args: string,
@@ -43,7 +43,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string,
  *   why: string, hint: string, drive: Drive}} JudgeResult
  * @typedef {{title: string, certain: string, evidence: string[], page: string, series: string[]}} Fault that a log shows;
- *   page: the address, below that of the site, of what explains it
+ *   page: the address, within the site, of what explains it
  * @typedef {{name: string, part: number, count: number, period: number, chosen: number, drift: number, usual: number,
  *   lost: number, times: number[], late: number[], missing: number[]}} Series in a log; usual: how late 98% are at most;
  *   period 0: it is not regular, and late is empty
@@ -170,7 +170,7 @@ const isScenes = object({
   rings: list(object({ links: list(tuple(SENTENCE, SENTENCE), 100), to: integer(-1) }), 20),
 })
 
-/** @type {(scenes: Scenes) => boolean} whether each number in them is that of something in them */
+/** @type {(scenes: Scenes) => boolean} whether each number in them is for something in them */
 function areMatched({ threads, groups, callbacks, steps, rings }) {
   return (
     callbacks.every(([, group]) => group < (groups.length || 1)) &&

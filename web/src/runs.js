@@ -16,7 +16,7 @@ export { Sandbox }
  * @typedef {{kind: "doing", said: string, share: number}} Doing before it begins; share: of what there is to do, -1: unknown
  * @typedef {{kind: "faults", faults: import("./faults.js").Fault[]}} Faults in a text that does not compile
  * @typedef {import("./protocol.js").Word<"run"> | import("./protocol.js").End<Judged> | {kind: "begun"} | Doing | Faults} Told
- * @typedef {{end(): void}} Run that goes on
+ * @typedef {{end(): void}} Run that has begun
  */
 
 /**

@@ -14,7 +14,7 @@ const UNKEPT = {
 
 const NOTICE =
   "This code came with the link that you opened, not with the page. Read it before you run it. What you change is " +
-  `${window.rosspinStore ? "neither kept nor handed in" : "not kept"}. Reset brings back what stood here before.`
+  `${window.rosspinStore ? "neither kept nor handed in" : "not kept"}. Reset brings back what was here before.`
 
 /**
  * The address of this page that carries a listing, and opens the tabs around an element. RangeError: it is too long.

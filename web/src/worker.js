@@ -82,7 +82,7 @@ class LateFile {
   #asking = null
 
   /**
-   * @param {any} FS that of Pyodide
+   * @param {any} FS Pyodide's
    * @param {string} path
    * @param {string} name
    */
@@ -172,13 +172,13 @@ async function boot() {
   limitMemory()
   const compiled = file("pyodide.asm.wasm").promise.then((bytes) => WebAssembly.compile(/** @type {ArrayBuffer} */ (bytes)))
   compiled.catch(() => {}) // it is awaited later
-  await new Promise((go) => setTimeout(go)) // if the file is here, others compile it while this thread goes on
+  await new Promise((go) => setTimeout(go)) // if the file is here, others compile it while this thread continues
   const { python, supply } = await start(compiled, file("snapshot.gz").promise).catch(() => start(compiled))
   files.clear() // what it started from; more is asked for
   const page = python.pyimport("rosspin.page")
   page.wake(supply)
   python.setInterruptBuffer(/** @type {any} */ (signals))
-  python.setStdin({ stdin: () => null }) // there is nobody to ask: EOFError
+  python.setStdin({ stdin: () => null }) // no one can be asked: EOFError
   return page
 }
 

@@ -1,7 +1,7 @@
 """A compiled C++ node as the main program of a process: it runs in Node.js, and its time is the process's clock.
 
 The two talk in batches, as ``js/node.mjs`` says: the node runs on its own for as long as nothing else is due, tells
-what it has done, and waits. Here that wait is one of a stack on the clock, like that of any other node.
+what it has done, and waits. Here that wait is one of a stack on the clock, as any other node's is.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class _Running:
         self._world = world
         self._clock = clock
         self._stack: Any = current()
-        self._events: list[tuple[int, str]] = []  # what is to be given to the node: when it came, and what
+        self._events: list[tuple[int, str]] = []  # what should be given to the node: when it came, and what
         self._signals: list[int] = []
         self._sources: list[str] = []
         self._ticks = 0  # how many were told
@@ -103,7 +103,7 @@ class _Running:
         }
 
     def _follow(self) -> None:
-        """Go on with the node until it ends."""
+        """Run the node until it ends."""
         while True:
             batch = self._read_line()
             self._advance(int(batch["now"]))
@@ -128,7 +128,7 @@ class _Running:
     # --- time ---
 
     def _advance(self, now: int) -> None:
-        """Let the clock go on to the node's time: it has been alone until then."""
+        """Move the clock to the node's time: it has been alone until then."""
         if now > self._clock.now():
             self._clock.sleep(now - self._clock.now())
 
@@ -241,7 +241,7 @@ class _Running:
         durations: list[int | None] = [*wholes[3::4].tolist()]
         places = len(log)
         at = -1
-        while -1 in durations[at + 1 :]:  # they go on; there are as many as calls within calls
+        while -1 in durations[at + 1 :]:  # they last; there are as many as calls within calls
             at = durations.index(-1, at + 1)
             durations[at] = None
             self._open[first + at] = places + at
@@ -284,7 +284,7 @@ def _end_idle() -> None:
 
 
 def _answers(ros: int) -> Any:
-    """Return what answers nodes of a ROS: that of ROS 2 loads rclpy."""
+    """Return what answers nodes of a ROS: ROS 2's loads rclpy."""
     return getattr(import_module(f".ros{ros}", __package__), f"Ros{ros}")
 
 

@@ -51,7 +51,7 @@ def for_times(found: Sequence[Printed], wanted: Sequence[float]) -> str:
     if pairs and all(after.time - line.time < _CLOSE for line, after in pairs[::2]):
         return "They come two at a time: do two timers call the same callback, or does one call count twice?"
     if len(found) == 1 < len(wanted) and abs(found[0].time - wanted[0]) < _CLOSE:
-        return "It came once, and never again: what is to call back the next time?"
+        return "It came once, and never again: what should call back the next time?"
     return ""
 
 
@@ -62,11 +62,11 @@ def for_none(seen: Seen, tag: str, hint: str = "") -> str:
     for line in seen.printed:
         text = line.text.strip().rpartition("]: ")[2]
         if line.time <= seen.seconds and sign.search(text) and not any(f"[{other}]" in text for other in others):
-            return f"The lines are to read `[{tag}] counter = 1` and so on. The node printed `{plain(text)}`."
+            return f"The lines should read `[{tag}] counter = 1` and so on. The node printed `{plain(text)}`."
     if any(timer.state == "stopped" and not timer.calls for timer in seen.timers):
         return "A timer of the node was stopped before its first call, or never started."
     if not seen.timers and seen.interrupted and not seen.printed:
-        return hint or "The node has no timer, and printed nothing. What is to call the callback?"
+        return hint or "The node has no timer, and printed nothing. What should call the callback?"
     slow = [timer for timer in seen.timers if not timer.calls and timer.period > seen.seconds]
     if slow and seen.interrupted:
         period, end = say(slow[0].period), say(seen.seconds)

@@ -27,7 +27,7 @@ _TURNS = "when the threads take turns at every line"
 
 
 def _check(look: Callable[Concatenate[Seen, str, P], Finding | None]) -> Callable[P, Check]:
-    """Let a question give the other arguments of a check."""
+    """Make a check whose other arguments a question gives."""
     return lambda *args, **kwargs: lambda seen, when: look(seen, when, *args, **kwargs)
 
 
@@ -195,7 +195,7 @@ def ticks(
 
 
 def unless_regular(hint: str) -> Hint:
-    """Return a hint for counters that leave their grid; those of another period are told so."""
+    """Return a hint for counters that leave their grid, or that have another period."""
 
     def hint_for(found: Sequence[Printed]) -> str:
         period = found[0].time if found else 0.0
@@ -248,7 +248,7 @@ def stops(seen: Seen, when: str, calls: int, timer: str = "a `rospy.Timer`") -> 
     timers, others = seen.printers(counters)
     if others:
         text = f"counter {plain(others[0].text)} was not printed by the callback of {timer}."
-        return Finding(False, text, "Let a timer call back, and stop it.")
+        return Finding(False, text, "Use a timer, and stop it.")
     states = {timer.state for timer in timers}
     count = sum(len(timer.calls) for timer in timers)
     if "gone" in states:
@@ -256,7 +256,7 @@ def stops(seen: Seen, when: str, calls: int, timer: str = "a `rospy.Timer`") -> 
         return Finding(False, "the timer was not stopped: its thread was ended.", hint)
     if "blocked" in states:
         text = "the timer was not stopped: a call of its callback had not returned in the end."
-        return Finding(False, text, "A callback that never returns keeps a thread for ever. Stop the timer and return.")
+        return Finding(False, text, "A callback that never returns keeps its thread. Stop the timer and return.")
     if count > calls:
         text = f"the callback was called {count} times in {say(seen.seconds)}, where {calls} would do."
         silent = "A callback that returns immediately is still called. Stop the timer itself."
@@ -331,7 +331,7 @@ def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Fi
         return Finding(False, f"{when}: up to then the motor was {told}.", hint)
     stop = next((n for n, (_, speed) in enumerate(commands) if not speed), None)
     if stop is None:
-        return Finding(False, f"{when}: nothing stops the motor. It goes on at its last speed.")
+        return Finding(False, f"{when}: nothing stops the motor. It continues at its last speed.")
     time = commands[stop][0]
     if later := [after for after, speed in commands[stop:] if speed]:
         text = f"{when}: the motor was stopped at {say(time)}, and driven again at {say(later[0])}."
@@ -356,7 +356,7 @@ def ends_well(seen: Seen, when: str) -> Finding:
         return Finding(False, f"{when}: the {say_error(error)}", again if error.type == "RCLError" else caught)
     if seen.status:
         text = f"{when}: the node ended with status {seen.status} instead of 0."
-        return Finding(False, text, "Status 0 says that all is well. It is that of a main part that just ends.")
+        return Finding(False, text, "Status 0 says that all is well. A main part that just ends gives it.")
     return Finding(True, f"{when}: the node ended with status 0, without a traceback.")
 
 
@@ -366,7 +366,7 @@ def ends_at_sigterm(seen: Seen, when: str, at: float) -> Finding:
     if not seen.interrupted:
         return ends_well(seen, when)
     hint = (
-        "SIGTERM raises nothing in the main part and wakes no Rate. Let the main part spin: `spin` notices it. The "
+        "SIGTERM raises nothing in the main part and wakes no Rate. The main part should spin: `spin` notices it. The "
         "loop can be in a thread."
     )
     return Finding(False, f"{when} at {say(at)}: the node did not end.", hint)
@@ -377,7 +377,7 @@ def fails(seen: Seen, when: str, hint: str) -> Finding:
     """Whether an error has ended the node with a status other than 0."""
     if seen.status:
         return Finding(True, f"{when}: the node ended with status {seen.status}.")
-    went_on = "went on" if seen.interrupted else "ended with status 0, as if all were well"
+    went_on = "continued" if seen.interrupted else "ended with status 0, as if all were well"
     return Finding(False, f"{when}: the node {went_on}.", hint)
 
 
@@ -439,7 +439,7 @@ def makes_passes_until_signalled(answer: Answer) -> Iterator[Finding]:
         elif counters and counters[0].time > _CLOSE:
             hint = "The first pass begins immediately: the loop sleeps at its end, and a timer would wait for a period."
         elif len(counters) > 1 and work > 0.1 and abs(counters[1].time - 0.4 - work) < _CLOSE:
-            hint = "The pause is the same whatever the work takes. Let it last for what is left of the period."
+            hint = "The pause is the same whatever the work takes. Make it as long as what is left of the period."
         elif len(counters) > 1 and abs(counters[1].time - 0.5) > 0.05:
             hint = "A Rate is given a frequency. Passes every 0.5 s are 2.0 a second."
         finding = on_time(counters, grid(0.5, seconds, start=0.0), when, hint)
@@ -462,7 +462,7 @@ def parts_add_up(seen: Seen, when: str, lock: str) -> Finding:
     """Whether reports every 0.5 s add up to the parts, one every 0.1 s. The newest part may miss the report."""
     start = f"{when}: " if when else ""
     reports = seen.values("SPINNER PY NODE", "parts")
-    stuck = "Does a callback wait for a lock that nobody releases, or that it has already?"
+    stuck = "Does a callback wait for a lock that is never released, or that it has already?"
     total = 0
     for number in range(1, 11):
         due = 0.5 * number
@@ -568,13 +568,13 @@ def answered(
 ) -> Finding:
     """Whether a service answered one request after the other, each in the time that it ``takes`` (s).
 
-    It is to be asked ``at`` these times (s), or else at least so many times, whenever that is. ``hint`` is for a
+    It should be asked ``at`` these times (s), or else at least so many times, whenever that is. ``hint`` is for a
     request that is not asked or not answered, ``overlap`` for one that is answered too soon.
     """
     start = f"{when}: " if when else ""
     calls = [call for call in seen.calls if call.service == service and call.asked < seen.seconds]
     if not calls:
-        return Finding(False, f"{start}`{service}` was never asked.", "The answer is to come from the service.")
+        return Finding(False, f"{start}`{service}` was never asked.", "The answer should come from the service.")
     wanted, same_often = at or [call.asked for call in calls], "How often it is asked is not to change."
     due = 0.0
     for number, time in enumerate(wanted):
@@ -611,7 +611,7 @@ def cancels(answer: Answer) -> Iterator[Finding]:
 
 
 _REACHED = {
-    "4": "The server went on to the end. In `execute_callback`, look at `is_cancel_requested` before each number.",
+    "4": "The server continued to the end. In `execute_callback`, look at `is_cancel_requested` before each number.",
     "6": "A goal is aborted if its callback says `goal.abort()`, fails, or returns without saying how it ended: "
     "`goal.canceled()`, `goal.succeed()`.",
 }
@@ -624,16 +624,16 @@ def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Findin
     found, numbers = seen.values("CLIENT", "status"), seen.values("CLIENT", "numbers")
     cancelled = [line for line in seen.values("CLIENT", "cancelling") if line.time <= seen.seconds]
     if not found or not numbers:
-        hint = "Does `execute_callback` return a `Fibonacci.Result`? The client is to stay as it is."
+        hint = "Does `execute_callback` return a `Fibonacci.Result`? The client should stay as it is."
         return Finding(False, f"{when}: the client did not hear how the goal ended.", hint)
     if found[0].text != status:
         said = names.get(found[0].text, f"`{plain(found[0].text)}`")
-        hint = _REACHED.get(found[0].text, "Only a goal that is to be cancelled is: look before you call `canceled()`.")
+        hint = _REACHED.get(found[0].text, "Only if a cancel was requested: look before you call `canceled()`.")
         asked = [line.text for line in seen.printed if "Error raised in execute callback" in line.text]
         if asked:
             hint = f"`execute_callback` failed: `{plain(asked[0].rpartition('callback: ')[2])}`."
         elif status == "5" and not cancelled:
-            hint = "The client cancels the goal. It is to stay as it is."
+            hint = "The client cancels the goal. It should stay as it is."
         elif found[0].text == "4" and numbers[0].text != "10":
             hint = "It succeeded early: `goal.succeed()` in place of `goal.canceled()`, or a client that asks for less."
         elif status == "5" and cancelled[0].text == "0":
@@ -654,7 +654,7 @@ def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Findin
 _EVERY = "Five times a second is once in 1 / 5 s. That is the period, which a timer is given."
 _SAME = "Both ends of a topic have to name the same type: otherwise they do not connect."
 _ONCE = (
-    "A publisher that was made just now is not connected to anybody in another process. Make it once, before the timer "
+    "A publisher that was made just now is not connected to any other process yet. Make it once, before the timer "
     "is made, and keep it: `self.publisher = ...` in `__init__`."
 )
 
@@ -703,7 +703,7 @@ def _unpublished(seen: Seen) -> Finding:
     others = dict.fromkeys(f"`{plain(message.topic)}`" for message in seen.sent)
     if others:
         text = f"nothing was published on `/counter`: it was published on {', '.join(others)}."
-        return Finding(False, text, "The topic of a publisher is that of the listener, letter by letter: `counter`.")
+        return Finding(False, text, "The publisher uses the listener's topic, letter by letter: `counter`.")
     made = [end for end in seen.ends if end.publishes and not end.topic.startswith("/rosout")]
     made = [end for end in made if end.topic != "/parameter_events"]
     text = "nothing was published on `/counter`: the node published nothing."
@@ -714,7 +714,7 @@ def _unpublished(seen: Seen) -> Finding:
         period = say(slow[0].period)
         text = f"nothing was published on `/counter` in {say(seen.seconds)}: the timer's period is {period}."
         return Finding(False, text, _EVERY)
-    return Finding(False, text, "There is a publisher, but nothing publishes with it. Let the timer's callback do so.")
+    return Finding(False, text, "There is a publisher, but nothing publishes with it. The timer's callback should.")
 
 
 def _called_itself(what: str) -> Finding:
@@ -729,7 +729,7 @@ def arrives_once(seen: Seen, when: str, goal: str, at: float) -> Finding:
     heard = seen.values("LISTENER", "goal")
     if not heard:
         sent = any(message.topic == "/goal" for message in seen.sent)
-        never = "The planner publishes nothing on `/goal`. It is to publish 7 there, once."
+        never = "The planner publishes nothing on `/goal`. It should publish 7 there, once."
         return Finding(False, f"{when}: the goal did not arrive.", "" if sent else never)
     if wrong := [line.text for line in heard if line.text != goal]:
         text = f"{when}: the goal {plain(wrong[0])} arrived, not {goal}."
@@ -739,13 +739,13 @@ def arrives_once(seen: Seen, when: str, goal: str, at: float) -> Finding:
         return Finding(False, text, "The topic carries the goal: leave its callback to the subscription.")
     if len(heard) > 1:
         text = f"{when}: the goal arrived {len(heard)} times; a robot would start again each time."
-        return Finding(False, text, "Publish once, and let the publisher keep the message.")
+        return Finding(False, text, "Publish once, with a publisher that keeps the message.")
     if not at <= heard[0].time <= at + 0.5:
         return Finding(False, f"{when}: the goal arrived only at {say(heard[0].time)}.")
     return Finding(True, f"{when}: the goal arrived once, at {say(heard[0].time)}.")
 
 
-_AS_IT_IS = "The sensor is to stay as it is. Change how the controller listens to it."
+_AS_IT_IS = "The sensor should stay as it is. Change how the controller listens to it."
 
 
 def _sensor_of(seen: Seen, qos: str) -> Finding | None:
@@ -766,7 +766,7 @@ def _unmatched(seen: Seen) -> Finding | None:
     if not ends:
         others = [end.topic for end in seen.ends if not end.publishes and end.topic != "/parameter_events"]
         where = f": it subscribes to `{plain(others[0])}`" if others else ""
-        hint = "The topic of the subscription is that of the publisher, letter by letter: `position`."
+        hint = "The subscription uses the publisher's topic, letter by letter: `position`."
         return Finding(False, f"the controller: nothing subscribes to `/position`{where}.", hint)
     if refused:
         text = f"the controller: a subscription with {refused[0].qos} does not match the sensor. Read the warnings."
@@ -800,7 +800,7 @@ def hears_all(seen: Seen, when: str, period: float, qos: str) -> Finding:
     heard = seen.values("CONTROLLER", "position")
     if any(line.timer for line in heard):
         return _called_itself("The controller")
-    as_it_comes = "Let the callback of the subscription print `[CONTROLLER] position = ` and the number in the message."
+    as_it_comes = "The subscription's callback should print `[CONTROLLER] position = ` and the number in the message."
     return on_time(heard, grid(period, seen.seconds), "The controller", as_it_comes, "position")
 
 

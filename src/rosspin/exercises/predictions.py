@@ -83,7 +83,7 @@ def _beside(
 
 
 def same(one: Sequence[float], other: Sequence[float]) -> bool:
-    """Whether two lists have the same numbers, as precisely as anybody means them."""
+    """Whether two lists have the same numbers, as precisely as a reader means them."""
     return len(one) == len(other) and all(abs(a - b) < 0.01 for a, b in zip(one, other, strict=True))
 
 

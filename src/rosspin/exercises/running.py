@@ -61,7 +61,7 @@ _LONGEST_LINE = 1000
 _LEAST_LINE = 20  # besides its text
 _MOST = 100
 
-# The nodes that can run beside an answer, by the ROS and the name.
+# The nodes that can run together with an answer, by the ROS and the name.
 _BESIDE: dict[tuple[int, str], NodeLike] = {
     (2, "vehicle"): ros2.vehicle,
     (2, "silent vehicle"): partial(ros2.vehicle, silent=(3.0, 5.0)),
@@ -124,7 +124,7 @@ class _Watched(ExploredSimulation):
         self.timers: list[SeenTimer] = []
         self.parameters: tuple[str, ...] = ()
         self.cut = False
-        self.world: World | None = None  # that of the answer, as soon as it runs
+        self.world: World | None = None  # the answer's, as soon as it runs
         self._ros = ros
         self._timers: dict[int, tuple[int, Any]] = {}  # the timers met so far and their numbers, by id
         self._sleeps: Counter[tuple[int, int]] = Counter()
@@ -414,7 +414,7 @@ def _frames(error: BaseException) -> Iterator[tuple[CodeType, int]]:
 
 def _hint_for(error: Exception) -> str:
     if isinstance(error, TimeStandsStill):
-        return "Something goes on without ever sleeping: a loop without a `sleep()`, or a period of 0."
+        return "Something runs without ever sleeping: a loop without a `sleep()`, or a period of 0."
     if isinstance(error, NotSimulated):
         return "Timers, rates, sleeps, topics, services, in ROS 2 actions, and log lines are all that an answer needs."
     return ""

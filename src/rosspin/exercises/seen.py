@@ -63,7 +63,7 @@ class Error(NamedTuple):
 
     ``said`` is the traceback's last line, ``line`` the line of the answer that raised it, or 0. ``whose`` is what it
     ended: "node", "thread", "timer" or "shutdown hook". ``ending`` says whether Ctrl-C may end a node of this ROS with
-    it. ``hint`` says how to go on; it is empty if nothing is known.
+    it. ``hint`` says how to continue; it is empty if nothing is known.
     """
 
     type: str
@@ -121,7 +121,7 @@ class Seen(NamedTuple):
     status, ``errors`` are the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until
     Ctrl-C. If it had to be killed, ``kept_at`` is where it was, and ``kept_by_rate`` says that it waited for a Rate of
     ROS 2 and nothing else. ``variables`` are the names and values of those requested variables that it has. If a
-    vehicle ran beside it, ``drive`` is what that did.
+    vehicle ran with it, ``drive`` is what that did.
     """
 
     seconds: float

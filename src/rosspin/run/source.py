@@ -48,7 +48,7 @@ class Code(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Its name where it has no other: that of its file, without the suffix, or of its function."""
+        """Its name where it has no other: its file's, without the suffix, or its function's."""
         return os.path.basename(self.argv0).removesuffix(".py")
 
 
@@ -180,7 +180,7 @@ def program(code: CodeType, filename: str, more: Mapping[str, Any] | None = None
 
 
 def _call(function: Callable[[], Any], main: ModuleType | None) -> None:
-    """Call a function of a program whose module ``__main__`` it is to find, if that could be seen."""
+    """Call a function of a program whose module ``__main__`` it should find, if that could be seen."""
     if main:
         sys.modules["__main__"] = main
     function()
@@ -305,7 +305,7 @@ def names_a_ros(code: CodeType) -> int:
 
 
 def _names(code: CodeType) -> Iterator[str]:
-    """Yield the names in code and in its functions; those of the modules that it imports are among them."""
+    """Yield the names in code and in its functions; the modules that it imports are among them."""
     yield from code.co_names
     for constant in code.co_consts:
         if isinstance(constant, CodeType):

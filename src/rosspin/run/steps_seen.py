@@ -26,7 +26,7 @@ _MOST_CALLBACKS = 30
 class StepsSeen:
     """The steps of a run, in which a step is noted whenever something is told or the time passes.
 
-    The run has to be on :attr:`clock`, and to record its ticks in ``log``. Lines are those of the file ``filename``.
+    The run has to be on :attr:`clock`, and to record its ticks in ``log``. Lines are of the file ``filename``.
     ``pace(when)`` is called before the time becomes ``when`` (ns). Of ``several`` nodes, each is named.
     """
 

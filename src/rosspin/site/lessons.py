@@ -108,7 +108,7 @@ def stale_lessons(root: Path) -> Iterator[Stale]:
         if lesson.exercise.name not in shown:
             yield Stale(file, 1, "no page shows it", f"write .. exercise:: {lesson.exercise.name} on one")
         if _line(text, "RIGHT") < _line(text, r"(def )?check"):
-            now = "it stands below check: the page is given what is above"
+            now = "it comes after check: the page gets only what is above"
             yield Stale(file, _line(text, "RIGHT"), "RIGHT", now)
         for what, stands, now in (*_too_few(lesson), *_misjudged(lesson, text)):
             yield Stale(file, what if isinstance(what, int) else _line(text, what), stands, now)
@@ -151,7 +151,7 @@ def _misjudged(lesson: Lesson, text: str) -> Iterator[tuple[str | int, str, str]
             continue
         said = str(feedback)
         if what == "NODE" and feedback.passed:
-            yield what, stands, "it is right as it stands: there is nothing to do"
+            yield what, stands, "it is right as it is: there is nothing to do"
         elif feedback.passed is not right or part.replace("`", "") not in said.replace("`", ""):
             yield what, stands, said
 

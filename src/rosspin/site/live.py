@@ -1,8 +1,8 @@
 """Sphinx extension: listings that run in the page, and the policy on what a page may load.
 
 A listing of the class ``live`` (``:class: live`` on its literalinclude, the tag ``live`` on a notebook cell) is found
-and run by ``web/``. One in C++ shows a whole file, whose program is among the site's files. Those of the class
-``together`` also run in pairs: the page's first with its second, its third with its fourth. Below a listing stands the
+and run by ``web/``. One in C++ shows a whole file, whose program is among the site's files. Listings of the class
+``together`` also run in pairs: the page's first with its second, its third with its fourth. Below a listing is the
 plot of a run that is made with the page. ``web/`` also moves the figures with a handle.
 """
 

@@ -1,6 +1,6 @@
 """Exercises that are one file each: the site's own in this folder, and a teacher's.
 
-A teacher's are in the folder ``lessons`` of the site, or in that of ``ROSSPIN_LESSONS``. A file holds what the exercise
+A teacher's are in the folder ``lessons`` of the site, or in ``ROSSPIN_LESSONS``. A file holds what the exercise
 is called, what it begins with, how an answer is checked, and answers that are right and wrong.
 ``docs/how-to/add-a-lesson.rst`` goes through one. The page's Python has all these files in this folder.
 """
@@ -22,11 +22,11 @@ from ..questions import Exercise
 __all__ = ["FAULTS", "FOLDER", "LESSONS", "Answer", "Fault", "Lesson"]
 
 Answer = str | Mapping[str, str]
-"""A text; or what is to be replaced in the solution, or else in that with which the exercise begins, and by what."""
+"""A text; or what should be replaced in the solution, or else in that with which the exercise begins, and by what."""
 
 
 class Fault(NamedTuple):
-    """What a file lacks, or has wrong: the file and the line, what stands there, and what of it is not right."""
+    """What a file lacks, or has wrong: the file and the line, the text there, and what of it is not right."""
 
     file: Path
     line: int
@@ -38,7 +38,7 @@ class Lesson(NamedTuple):
     """An exercise that is one file: its text, the node that it begins with, its hints, and answers, right and wrong.
 
     ``changed`` is what the answers change: the solution, where the file has one, or the node. With each wrong answer
-    comes a part of what is to be said of it, and maybe one of the hint. The first right one is the solution; ``after``
+    comes a part of what should be said of it, and maybe one of the hint. The first right one is the solution; ``after``
     is what is said below it.
     """
 

@@ -17,7 +17,7 @@ At Ctrl-C this node ends with a traceback, and its motor continues at the last s
 - `motor.drive(0.0)` stops the motor, however the node ends, and
 - an error, such as a sensor that fails, still ends the node with its traceback.
 """
-REVEALS = "Ctrl-C makes `rclpy.spin` return. What stands after `spin` is done in any case."
+REVEALS = "Ctrl-C makes `rclpy.spin` return. Code after `spin` always runs."
 
 NODE = """
 import time
@@ -71,7 +71,7 @@ HINTS = [
     "Code in `finally` always runs, even if the sensor fails. Catch no more than the two "
     "exceptions, and call `rclpy.try_shutdown()`: after a signal, `rclpy.shutdown()` fails.",
 ]
-_SWALLOWED = "Catch what a signal raises, and nothing else: an error is to end the node with its traceback."
+_SWALLOWED = "Catch what a signal raises, and nothing else: an error should end the node with its traceback."
 _drives_until_2 = partial(
     by.drives_until,
     again="Stop the motor last, when no callback can run any more: after `spin`, in a `finally`.",
@@ -79,7 +79,7 @@ _drives_until_2 = partial(
 )
 HINT = (
     "`try:` around `spin`, `except (KeyboardInterrupt, ExternalShutdownException): pass`, and in a `finally:` "
-    "what must be done in any case."
+    "what must always be done."
 )
 
 check = by.every(
@@ -101,8 +101,7 @@ SOLUTION = {
 }
 AFTER = """
 A motor that is stopped by a message needs more: after a signal the node cannot publish, unless it was started with
-`rclpy.init(signal_handler_options=SignalHandlerOptions.NO)`. And a signal calls no hook of
-`rclpy.get_default_context().on_shutdown`.
+`rclpy.init(signal_handler_options=SignalHandlerOptions.NO)`.
 """
 
 CAUGHT = "    except (KeyboardInterrupt, ExternalShutdownException):\n        pass\n"
@@ -187,7 +186,7 @@ WRONG = [
             "        except RuntimeError:\n            return\n"
         },
         "the motor was not stopped before 5 s",
-        "and nothing else: an error is",
+        "and nothing else: an error should",
     ),
     (
         {DRIVES: DRIVES + "        self.motor.drive(0.0)\n"},

@@ -178,7 +178,7 @@ WRONG = [
     (
         {"        self.right.call(Trigger.Request())\n": ""},
         "`/right_eye` was never asked",
-        "to come from the service",
+        "come from the service",
     ),
     ({"time.sleep(0.1)": "pass"}, "was answered at 1 s, not at 1.1 s", ""),
     (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),

@@ -26,7 +26,7 @@ class RobotPyNode(Node):
         super().__init__("robot_py_node")
         self.position = 0
 
-        # The sensor, which is to stay as it is
+        # The sensor, which should stay as it is
         self.publisher = self.create_publisher(UInt32, "position", qos_profile_sensor_data)
         self.create_timer(0.5, self.sensor_callback)
 
@@ -77,7 +77,7 @@ FINALLY = "    finally:\n        rclpy.try_shutdown()\n"
 TRY = f"    try:\n{SPIN}{CAUGHT}{FINALLY}"
 HEARS = "self.position_callback, qos_profile_sensor_data)"
 RELIABLE = "The subscription asks for reliable messages"
-STAYS = "The sensor is to stay as it is"
+STAYS = "The sensor should stay as it is"
 IMPORTS_QOS = "from rclpy.qos import qos_profile_sensor_data"
 BEST = "QoSProfile(depth=10, reliability=ReliabilityPolicy.BEST_EFFORT)"
 IMPORTS_BEST = {IMPORTS_QOS: f"{IMPORTS_QOS}, QoSProfile, ReliabilityPolicy"}
@@ -156,7 +156,7 @@ WRONG = [
     (
         {'"position", self.position_callback': '"positions", self.position_callback'},
         "the controller: nothing subscribes to `/position`: it subscribes to `/",
-        "The topic of the subscription is that of the publisher, letter by lett",
+        "The subscription uses the publisher's topic, letter by letter",
     ),
     ({"0.5, self.sensor": "1.0, self.sensor"}, "The sensor: position 1 came at 1 s, not at 0.5 s", STAYS),
     (
@@ -167,7 +167,7 @@ WRONG = [
     (
         {"str(message.data)": "str(message)"},
         "The controller: where position 1 was due",
-        "Let the callback of the subscription print `[CONTROLLER] position = `",
+        "The subscription's callback should print `[CONTROLLER] position = `",
     ),
     (
         {HEARS: "self.position_callback)"},

@@ -1,4 +1,4 @@
-"""To move a node is to rename what it imports: a belief that this reveals."""
+"""A node is moved by renaming what it imports: a belief that this reveals."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ TEXT = """
 Write this ROS 1 node for ROS 2: the same counters at the same times, and a parameter `frequency`, as in
 `--ros-args -p frequency:=10.0`. If you have never met ROS 1, skip this exercise.
 """
-REVEALS = "To move a node is to rename what it imports. A timer passes its callback an event in ROS 2, too."
+REVEALS = "A node is moved by renaming what it imports. A timer passes its callback an event in ROS 2, too."
 
 NODE = """
 import rospy
@@ -122,7 +122,7 @@ RIGHT = [
     },
 ]
 WRONG = [
-    ({"self.get_logger().info(": "self.get_logger.info("}, "no attribute 'info'", "to be called first, with `()`"),
+    ({"self.get_logger().info(": "self.get_logger.info("}, "no attribute 'info'", "be called first, with `()`"),
     ({"self.get_logger().info(": "rclpy.loginfo("}, "no attribute 'loginfo'", "In ROS 2 it is `self.get_logger()"),
     ({FREQUENCY: FREQUENCY.replace(".value", "")}, "and 'Parameter'", "which is its `.value`"),
     ({"SpinnerPyNode(Node):": "SpinnerPyNode:", '("spinner_py_node")': "()"}, "attribute '", "(Node)`?"),

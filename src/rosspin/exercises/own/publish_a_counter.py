@@ -58,7 +58,7 @@ HINTS = [
     "connected to another process yet.",
     "Five times a second: what is the period?",
 ]
-HINT = 'Make a `self.create_publisher(UInt32, "counter", 10)` in `__init__`, and let the callback publish.'
+HINT = 'Make a `self.create_publisher(UInt32, "counter", 10)` in `__init__`, and publish in the callback.'
 
 check = by.published_and_heard
 
@@ -137,12 +137,12 @@ WRONG = [
     (
         {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"count"')},
         "it was published on `/count`",
-        "The topic of a publisher is that of the listener, letter by letter:",
+        "The publisher uses the listener's topic, letter by letter:",
     ),
     (
         {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"~/counter"')},
         "it was published on `/robot_py_node/counter`",
-        "The topic of a publisher is that of the listener, letter by letter:",
+        "The publisher uses the listener's topic, letter by letter:",
     ),
     ({"(0.2,": "(5,"}, "nothing was published on `/counter`", "Five times a second is once in 1 / 5 s."),
     (

@@ -142,7 +142,7 @@ WRONG = [
     (
         {"[SLOW]": "[slow]"},
         "`[SLOW]`: no counter was printed",
-        "The lines are to read `[SLOW] counter = 1` and so on.",
+        "The lines should read `[SLOW] counter = 1` and so on.",
     ),
     ({"self.slow_callback)": "self.fast_callback)"}, "`[SLOW]`: no counter was printed", "callback and counter"),
     ({"        self.slow_counter = 0\n": ""}, "has no attribute 'slow_counter'", "Python names"),
