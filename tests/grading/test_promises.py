@@ -7,6 +7,10 @@ import re
 import pytest
 from tree import ROOT, TESTS
 
+from rosspin import hand_ins
+from rosspin.grading import sealed, worker
+from rosspin.grading.filtered import _PROCESSORS
+
 PAGE = (ROOT / "docs/how-to/judge-hand-ins.rst").read_text(encoding="utf-8")
 HELD_IN = "\n".join(
     (TESTS / f"real/grading/test_{name}.py").read_text(encoding="utf-8") for name in ("judge", "sealed")
@@ -61,3 +65,15 @@ def test_each_cell_has_its_test(row: str) -> None:
 
 def test_no_row_is_left_out() -> None:
     assert list(table()) == list(HELD)
+
+
+def test_the_limits_are_the_code_s() -> None:
+    takes, writes = table()["takes"], table()["writes"]
+    most = f"{hand_ins.TIME} s, {worker._MEMORY / 2**30:g} GiB"
+    assert takes == {
+        SEALED: f"{most}, {worker._THREADS} threads",
+        **dict.fromkeys((LINUX, CONTAINER), most),
+        MACOS: f"{hand_ins.TIME} s",
+    }
+    assert writes[SEALED].startswith(f"{sealed._FOLDER / 2**20:g} MiB and {worker._MADE} files ")
+    assert f"Sealing needs {' or '.join(_PROCESSORS)}, " in PAGE
