@@ -319,20 +319,20 @@ def _why_not(leg: _Leg, sender: str, receiver: str, reliable: bool | None, part:
         said = f"{sender} sends to {receiver} over TCP, as all of ROS 1 does, which loses nothing and keeps the order. "
         if part:
             return (
-                f"{said}{loses}, or let the service die: Crash({(receiver if part == 'request' else sender)!r}, at=...)"
+                f"{said}{loses}, or crash the service: Crash({(receiver if part == 'request' else sender)!r}, at=...)"
             )
         return (
             f"{said}{loses}; rospy loses messages only where they come faster than a callback takes them and "
             f"queue_size is small: Slow({receiver!r}, callback=..., by=...)"
         )
     best_effort = (
-        "the client and the service be best effort, as with qos_profile_sensor_data"
+        "the client and the service best effort, as with qos_profile_sensor_data"
         if part
-        else "the subscription be best effort, as with qos_profile_sensor_data"
+        else "the subscription best effort, as with qos_profile_sensor_data"
     )
     return (
         f"the connection from {sender} to {receiver} is reliable: what is lost on its way is sent again, comes late, "
-        f"and in order. {loses}, or let {best_effort}"
+        f"and in order. {loses}, or make {best_effort}"
     )
 
 

@@ -211,8 +211,8 @@ def _no_times(untimed: int) -> str:
             "RCUTILS_CONSOLE_OUTPUT_FORMAT or put {time} into it; in ROS 1, ROSCONSOLE_FORMAT and ${time}"
         )
     return (
-        "no line has a time stamp. Lines of print() have none: log with get_logger().info() or rospy.loginfo(), or let "
-        "a tool put one before each line, as in: … | ts '%Y-%m-%d %H:%M:%.S'"
+        "no line has a time stamp. Lines of print() have none: log with get_logger().info() or rospy.loginfo(), or "
+        "use a tool that puts one before each line, as in: … | ts '%Y-%m-%d %H:%M:%.S'"
     )
 
 
