@@ -112,12 +112,12 @@ def go_the_way(tree: Path, runs_timer: bool) -> str:
     line = lines.index("   [INFO] [0.500000]: [SPINNER PY NODE] counter = 1")  # the output begins one line above
     entry = entry_of(listed, f"docs/tutorial.rst:{line} (make outputs)\n")
     assert "   docs/tutorial.rst:LINE (make outputs)\n" in HOW_TO
-    assert re.search(r"stands (.*\n)+.*\[1\.500000\]: .* counter = 3\n", entry)
+    assert re.search(r"was (.*\n)+.*\[1\.500000\]: .* counter = 3\n", entry)
     assert re.search(r"now (.*\n)+.*\[1\.200000\]: .* counter = 3\n", entry)
     fact = entry_of(listed, f"docs/tutorial.rst:{lines.index('   assert period == 0.5') + 1}\n")
     assert re.search(r"text +Write two small ROS 1 nodes.* twice a second", fact) and "now     period is 0.4" in fact
     cell = entry_of(listed, "notebooks/rate.md:")
-    assert "stands  assert" in cell and "(0.0, 0.4)" in cell
+    assert "was     assert" in cell and "(0.0, 0.4)" in cell
     assert re.search(r"^notebooks/timer\.md:\d+ \(make", listed, re.MULTILINE)
 
     # The outputs are written, and what is left is the author's.

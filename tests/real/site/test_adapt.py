@@ -84,7 +84,7 @@ def wrong(few: Path) -> str:
 def test_a_figure_that_cannot_be_made_is_in_the_list(wrong: str) -> None:
     reasons = [*_WRONG_FIGURES.values(), *_WRONG_SCENES.values()]
     for why in reasons:
-        entry = rf"docs/glossary\.rst:\d+\n  stands  a plot of .*\n  now     {re.escape(why)}\n"
+        entry = rf"docs/glossary\.rst:\d+\n  was     a plot of .*\n  now     {re.escape(why)}\n"
         assert re.search(entry, wrong), why
     assert len([page for page, _ in places_in(wrong) if page == "docs/glossary.rst"]) == len(reasons)
 
@@ -104,7 +104,7 @@ def test_exercises_are_solved_by_their_solutions_and_none_is_missing(few: Path, 
     page = (few / EXERCISES).read_text()
     line = page.count("\n", 0, page.index(_SOLUTION) + _SOLUTION.index("%%")) + 1
     entry = entry_of(wrong, f"notebooks/ros2-exercises.md:{line}\n")
-    assert re.search(r"stands +%%answer slow-timer\n +now +Exercise \d+: not yet\.\n(.*\n)* +Hint: ", entry)
+    assert re.search(r"was +%%answer slow-timer\n +now +Exercise \d+: not yet\.\n(.*\n)* +Hint: ", entry)
     assert wrong.count("%%answer slow-timer") == 1  # where a reader starts, an answer need not be right
     said = r'no cell with %%answer first-call\n  now     rosspin\.exercises checks exercise \d+, "When the first call '
     assert re.search(said, wrong)
@@ -201,7 +201,7 @@ def test_code_in_a_notebook_is_no_sentence() -> None:
 def test_the_list_is_by_page_and_line() -> None:
     text = report([Stale("b", 1, "x", "y"), Stale("a", 20, "x\ny", "z", "A sentence."), Stale("a", 3, "x", "y")])
     assert re.findall(r"^[ab]:\d+", text, re.MULTILINE) == ["a:3", "a:20", "b:1"]
-    assert "a:20\n  text    A sentence.\n  stands  x\n          y\n  now     z\n" in text
+    assert "a:20\n  text    A sentence.\n  was     x\n          y\n  now     z\n" in text
 
 
 # --- the outputs ------------------------------------------------------------------------------------------------------
