@@ -62,9 +62,8 @@ if __name__ == '__main__':
 HINTS = [
     "While `timer_callback` waits, the service has to be called, and the client has to take the "
     "answer. Which thread can do that?",
-    "Run it with more threads: `rclpy.spin(robot_py_node, MultiThreadedExecutor())`. It still "
-    "hangs. What does the line that begins with `rosspin: the request has come` name, other than a "
-    "thread?",
+    "With more threads, `rclpy.spin(robot_py_node, MultiThreadedExecutor())`, it still hangs. What does the "
+    "line that begins with `rosspin: the request has come` name now?",
     "All callbacks of the node are in its default group, in which one runs at a time. Take the "
     "waiting one out of it: `self.create_timer(1.0, self.timer_callback, "
     "MutuallyExclusiveCallbackGroup())`.",

@@ -8,8 +8,8 @@ TITLE = "Make both ends match"
 TEXT = """
 **You need**: [publish and subscribe in ROS 2](../docs/ros2/publish.rst) and [its notebook](ros2-publish.md).
 
-The sensor of this node publishes a position every 0.5 s, but the controller hears none. Repair the controller, so
-that it prints each position as soon as it is published. Do not change the sensor.
+The sensor of this node publishes a position every 0.5 s, but the controller hears none. Repair the controller, not the
+sensor: each position should be printed as soon as it is published.
 """
 REVEALS = "The same topic and the same type are enough to connect."
 

@@ -56,7 +56,6 @@ HINTS = [
     "messages may wait: 10.",
     "A number is not a message: `UInt32(data=self.counter)` is. And a new publisher is not "
     "connected to another process yet.",
-    "Five times a second: what is the period?",
 ]
 HINT = 'Make a `self.create_publisher(UInt32, "counter", 10)` in `__init__`, and publish in the callback.'
 

@@ -13,7 +13,7 @@ The motor of this robot needs a command every 0.1 s. But the robot also offers a
 needs 0.35 s, or in the dark 1.3 s. Change the node so that
 
 - the motor gets each command on time, however long a picture takes, and
-- each request is answered, one picture after the other: the camera cannot take two at the same time.
+- each request is answered, one picture after the other.
 """
 REVEALS = "A service runs at the same time as other callbacks of its node. Only the client waits for a slow service."
 

@@ -12,8 +12,7 @@ This node takes an image every second, which needs 0.6 s, and sends the motor a 
 gets no commands while an image is being taken. Repair the node so that
 
 - the motor gets its command every 0.1 s, whatever the camera does, and
-- the camera takes images as before: every second or, if an image takes longer, one after the other, but never two at
-  the same time.
+- the camera takes images as before, one after the other.
 """
 REVEALS = (
     "Timers of one node do not disturb each other. A MultiThreadedExecutor alone lets callbacks run at the same time."
