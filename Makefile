@@ -100,7 +100,7 @@ $(NPM)-for-test: $(NPM)
 outputs: $(VENV) $(NPM)
 	$(call SPHINX,$@) -q
 
-# The lanes of the tests: see tests/README.md. That of what is real comes with ROSSPIN_REQUIRE, which says what must be
+# The lanes of the tests: see tests/README.md. The real lane comes with ROSSPIN_REQUIRE, which says what must be
 # there. A whole file at a time: its tests share what they have built or started. What is real waits half of the time.
 PYTEST = "$(BIN)/pytest" --numprocesses $(1) --dist loadfile --no-loadscope-reorder
 
