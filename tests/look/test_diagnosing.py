@@ -50,7 +50,7 @@ def test_the_page_has_the_numbers() -> None:
             found = Counter(map(outcome, cases))
             assert not found["unknown"] + found["wrong"], name
             numbers = len(cases), found["right"], found["open"]
-            rows.append("".join([f"   * - {title}\n", *(f"     - {number}\n" for number in numbers)]))
+            rows.append("".join([f"      * - {title}\n", *(f"        - {number}\n" for number in numbers)]))
     assert "".join(rows) in PAGE, "".join(rows)
 
 
