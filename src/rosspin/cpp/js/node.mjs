@@ -106,7 +106,7 @@ export class Node {
 
   #imports(program) {
     return {
-      wait: (until) => program.sleep(until),
+      wait: (until) => this.sleep(until),
       source: (name, length, period) => {
         this.note("source", program.text(name, length), String(period))
         return this.sources++
@@ -135,7 +135,7 @@ export class Node {
 function why(said) {
   if (said.includes("call stack")) return "its stack has overflowed: a function may call itself without an end"
   if (said.includes("out of bounds")) return "it has used memory that it does not have, or its stack has overflowed"
-  if (said.includes("unreachable")) return "it has used a null pointer, or left a function without the value that it should return"
+  if (said.includes("unreachable")) return "it has used a null pointer"
   return `it was ended (${said})`
 }
 
