@@ -83,7 +83,7 @@ html doctest linkcheck: $(VENV) $(NPM)
 html: $(WEB)
 
 # What runs in the page: rebuilt only when its sources change, its packages only when their pins do.
-$(WEB): $(NPM) $(wildcard web/*.mjs web/*.py web/src/* web/licences/* notebooks/*exercises.md lessons/*.py) $(shell find src/rosspin -name '*.py' -o -name '*.txt' -o -name '*.toml' -o -name '*.mjs')
+$(WEB): $(NPM) $(wildcard web/*.mjs web/*.py web/src/* web/licences/* lessons/*.py) $(shell find src/rosspin -name '*.py' -o -name '*.txt' -o -name '*.mjs')
 	"$(BIN)/node" --experimental-wasm-jspi web/build.mjs build/npm "$$("$(BIN)/python" -c 'import yaml; print(*yaml.__path__)')" build/web/live "$$("$(BIN)/python" -m rosspin.site.rules)"
 
 $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)

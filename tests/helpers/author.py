@@ -20,8 +20,7 @@ COMMANDS = re.findall(r"^ +\$ (.*)", HOW_TO, re.MULTILINE)
 def copied(folder: Path, pages: Collection[str] = ()) -> Path:
     """A copy of what git tracks, as an author has it, in a folder; to be quick, with no other pages than these.
 
-    Two notebooks are run, and measure for a moment; of a few pages only the one that needs no real clock. What the
-    others answer to exercises stays there as text.
+    Two notebooks are run, and measure for a moment; of a few pages only the one that needs no real clock.
     """
     folder /= "rosspin"
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
@@ -49,12 +48,8 @@ def copied(folder: Path, pages: Collection[str] = ()) -> Path:
 
 
 def without_runs(notebook: str) -> str:
-    """A notebook without its cells, but for what they answer to exercises, as text."""
-
-    def not_run(cell: re.Match[str]) -> str:
-        return cell[0].replace("{code-cell} ipython3", "text", 1) if "\n%%answer " in cell[0] else ""
-
-    return re.sub(r"^```\{code-cell\}(.*\n)*?```\n", not_run, notebook, flags=re.MULTILINE)
+    """A notebook without its cells."""
+    return re.sub(r"^```\{code-cell\}(.*\n)*?```\n", "", notebook, flags=re.MULTILINE)
 
 
 def typed(command: str, tree: Path) -> subprocess.CompletedProcess[str]:

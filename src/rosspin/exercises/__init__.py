@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 from ..vehicle.drawn import drawn
 from .feedback import Feedback, Finding
 from .judging import Answer, Fails
-from .questions import PARTS, QUESTIONS, Exercise
+from .own import EXERCISES, Exercise
 from .reach import reaches_for
 from .running import Runner
 from .seen import Seen
@@ -24,7 +24,7 @@ from .traces import Misfit, Outcome, Request, Trace, read, write
 
 __all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "Misfit", "check", "judge", "trace"]
 
-_NOTHING = Seen(0.0, (), (), (), (), (), (), (), 0, (), False, None, False, ())
+_NOTHING = Seen(0.0, (), (), (), (), (), (), (), (), 0, (), False, None, False, ())
 _CUT = "the node did so much that not all of it was looked at."
 _LESS = "It should print and publish no more than the exercise asks for."
 
@@ -76,13 +76,16 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
 
     given = Answer(answer, exercise.ros, ask)
     findings = _find(exercise, given)
+    early = given.hint_for_early_end()
+    if early and all(finding.right for finding in findings):
+        findings.append(Finding(False, "the node ended by itself."))
     if left:
         raise Misfit("it has more runs than this exercise asks for")
     whole = not cut or any(finding.right is False for finding in findings)
     if not whole:
         findings.append(Finding(False, _CUT, _LESS))
     hints = [finding.hint for finding in findings if not finding.right and finding.hint]
-    if early := given.hint_for_early_end():
+    if early:
         # It comes first if the node printed nothing, else last.
         hints.insert(len(hints) if console else 0, early)
     hint = [*hints, exercise.hint][0]
@@ -175,12 +178,3 @@ def _find(exercise: Exercise, answer: Answer) -> list[Finding]:
     except Fails as failure:
         findings.append(failure.finding)
     return findings
-
-
-# These import what is above.
-from .own import LESSONS  # noqa: E402
-
-_others = QUESTIONS | {lesson.exercise.name: lesson.exercise for lesson in LESSONS}
-_listed = [_others.pop(name)._replace(ros=ros, part=part) for ros, part, names in PARTS for name in names]
-EXERCISES = tuple(each._replace(number=number) for number, each in enumerate([*_listed, *_others.values()], 1))
-"""All exercises: on the two lists, with the vehicle, and then the teacher's."""

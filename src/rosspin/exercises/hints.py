@@ -45,14 +45,21 @@ def for_counters(found: Sequence[Printed], wanted: Sequence[float], told: str = 
     return ""
 
 
-def for_times(found: Sequence[Printed], wanted: Sequence[float]) -> str:
-    """Return a hint on the right counters at wrong times; empty if they show no more than another period."""
+def for_times(found: Sequence[Printed], wanted: Sequence[float], hint: str = "") -> str:
+    """Return a hint on the right counters at wrong times; ``hint`` if they show no more than another period."""
     pairs = list(pairwise(found[: len(wanted)]))
     if pairs and all(after.time - line.time < _CLOSE for line, after in pairs[::2]):
         return "They come two at a time: do two timers call the same callback, or does one call count twice?"
+    period = wanted[1] - wanted[0] if pairs and abs(wanted[1] - 2 * wanted[0]) < _CLOSE else 0.0
+    if period and all(abs(after.time - line.time - period) < _CLOSE for line, after in pairs):
+        start, late = f"They come every {say(period)}, as asked for, but", found[0].time - period
+        if late > _CLOSE:
+            return f"{start} {say(late)} late. What keeps the first one?"
+        if found[0].time < _CLOSE:
+            return f"{start} from the start. A timer waits for one period before its first call: what makes this one?"
     if len(found) == 1 < len(wanted) and abs(found[0].time - wanted[0]) < _CLOSE:
-        return "It came once, and never again: what should call back the next time?"
-    return ""
+        return hint or "It came once, and never again: what should call back the next time?"
+    return hint
 
 
 def for_none(seen: Seen, tag: str, hint: str = "") -> str:

@@ -115,7 +115,8 @@ class Seen(NamedTuple):
     """What an answer did in one run of ``seconds``.
 
     ``printed`` are the lines that it printed, even after Ctrl-C; ``timers`` are those that it had started by then.
-    ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again.
+    ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again,
+    ``naps`` those in which such callbacks did.
     ``ends`` are its publishers and subscriptions, ``parameters`` those that it had declared in ROS 2, or asked for in
     ROS 1, ``sent`` the messages that it published, ``calls`` the requests to its services. ``status`` is its exit
     status, ``errors`` are the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until
@@ -128,6 +129,7 @@ class Seen(NamedTuple):
     printed: tuple[Printed, ...]
     timers: tuple[SeenTimer, ...]
     loops: tuple[int, ...]
+    naps: tuple[int, ...]
     ends: tuple[SeenEnd, ...]
     parameters: tuple[str, ...]
     sent: tuple[Sent, ...]

@@ -59,7 +59,12 @@ class ExerciseDirective(SphinxDirective):
         cell = nodes.literal_block(text, text, language="ipython3", classes=["live"])
         number = next(each.number for each in EXERCISES if each.name == lesson.exercise.name)
         title = f"Exercise {number}: {lesson.exercise.title}"
-        shown: list[nodes.Node] = [nodes.rubric(title, title), *self.parse_text_to_nodes(lesson.text), cell]
+        told = self.parse_text_to_nodes(lesson.text)
+        for node in (listing for part in told for listing in part.findall(nodes.literal_block)):
+            if node.astext().startswith("%%simulate "):
+                node["classes"].append("live")
+                node["language"] = "ipython3"
+        shown: list[nodes.Node] = [nodes.rubric(title, title), *told, cell]
         for number, hint in enumerate(lesson.hints, 1):
             shown += self._folded(f"Hint {number}", self.parse_text_to_nodes(hint))
         if "solution" in self.options and lesson.right:

@@ -126,7 +126,6 @@ POLLS = DONE_AT_ONCE.replace(
 SPINS_IN_IT = DONE_AT_ONCE.replace(
     "        self.get", "        rclpy.spin_until_future_complete(self, future)\n        self.get"
 )
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {
@@ -177,5 +176,4 @@ WRONG = [
     ),
     ({"1.0, self.timer": "0.5, self.timer"}, "was asked at 0.5 s, not at 1 s", "is not to change"),
     ({"        self.create_timer(0.5, self.heartbeat_callback)\n": ""}, "heartbeat: no counter", ""),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

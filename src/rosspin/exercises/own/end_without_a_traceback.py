@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import partial
 
 from .. import judges as by
+from ..feedback import Finding
+from ..seen import Seen
 
 TITLE = "End without a traceback"
 TEXT = """
@@ -82,11 +84,20 @@ HINT = (
     "what must always be done."
 )
 
+
+def _fails(seen: Seen, when: str) -> Finding:
+    """Whether an error has ended the node with a status other than 0."""
+    if seen.status:
+        return Finding(True, f"{when}: the node ended with status {seen.status}.")
+    went_on = "continued" if seen.interrupted else "ended with status 0, as if all were well"
+    return Finding(False, f"{when}: the node {went_on}.", _SWALLOWED)
+
+
 check = by.every(
     by.run(2.08, _drives_until_2(2.08), by.ends_well, when="Ctrl-C while the node waits"),
     by.run(2.03, _drives_until_2(2.03), by.ends_well, when="Ctrl-C while the sensor is read"),
     by.ending(5.08, _drives_until_2(2.08), by.ends_at_sigterm(2.08), when="SIGTERM", terminated_at=2.08),
-    by.ending(5.0, _drives_until_2(1.06), by.fails(_SWALLOWED), given="fails_at:=10", when="The sensor fails"),
+    by.ending(5.0, _drives_until_2(1.06), _fails, given="fails_at:=10", when="The sensor fails"),
 )
 
 SOLUTION = {
@@ -109,7 +120,6 @@ DRIVE_SPIN = "        rclpy.spin(driver_py_node)\n"
 STOPS = "        motor.drive(0.0)\n"
 DRIVE_END = f"    finally:\n{STOPS}        rclpy.try_shutdown()\n"
 DRIVES = "        self.motor.drive(speed)\n"
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {
@@ -203,5 +213,4 @@ WRONG = [
         "did not end at Ctrl-C",
         "",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

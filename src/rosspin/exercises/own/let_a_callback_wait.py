@@ -100,7 +100,6 @@ EYES = """    def timer_callback(self):
         self.left.call(Trigger.Request())
         self.right.call(Trigger.Request())
 """
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {"MultiThreadedExecutor()": "MultiThreadedExecutor(2)"},
@@ -180,5 +179,4 @@ WRONG = [
         "come from the service",
     ),
     ({"time.sleep(0.1)": "pass"}, "was answered at 1 s, not at 1.1 s", ""),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from .. import judges as by
+from ..feedback import Finding
+from ..judging import plain
+from ..seen import Printed, Seen
 
 TITLE = "Make both ends match"
 TEXT = """
@@ -64,7 +67,33 @@ HINTS = [
 ]
 HINT = "The warnings name the policy that does not match. The subscription asks for more than the sensor offers."
 
-check = by.run(5.0, by.hears_all(0.5, "best_effort, volatile, depth 5"))
+
+def _hears_all(seen: Seen, when: str) -> Finding:
+    """Whether the controller hears each position immediately, one of which the sensor publishes each period.
+
+    The subscription has to be connected to it, and no other end may be left that is not.
+    """
+    due = by.grid(0.5, seen.seconds)
+    sent = [Printed(message.time, message.data) for message in seen.sent if message.topic == "/position"]
+    published = by.on_time(sent, due, "The sensor", by.AS_IT_IS, "position")
+    if not published.right:
+        return published
+    if wrong := by.sensor_of(seen, "best_effort, volatile, depth 5") or by.unmatched(seen):
+        return wrong
+    heard = seen.values("CONTROLLER", "position")
+    if any(line.timer for line in heard):
+        return by.called_itself("The controller")
+    if others := [line.text for line in heard if not line.heard]:
+        text = f"The controller: position {plain(others[0])} was not printed by the callback of its subscription."
+        return Finding(False, text, "The subscription calls its callback when a message has come. Leave that to it.")
+    if (many := len(seen.ends_of("/position", False))) > 1:
+        text = f"The controller: it has {many} subscriptions to `/position`, and hears each message {many} times."
+        return Finding(False, text, "Change the subscription that is there.")
+    as_it_comes = "The subscription's callback should print `[CONTROLLER] position = ` and the number in the message."
+    return by.on_time(heard, due, "The controller", as_it_comes, "position")
+
+
+check = by.run(5.0, _hears_all)
 
 SOLUTION = {"10": "qos_profile_sensor_data"}
 AFTER = """
@@ -157,6 +186,16 @@ WRONG = [
         {'"position", self.position_callback': '"positions", self.position_callback'},
         "the controller: nothing subscribes to `/position`: it subscribes to `/",
         "The subscription uses the publisher's topic, letter by letter",
+    ),
+    (
+        {HEARS: f'{HEARS}\n        self.create_subscription(UInt32, "position", {HEARS}'},
+        "The controller: it has 2 subscriptions to `/position`",
+        "Change the subscription that is there.",
+    ),
+    (
+        {HEARS: f"{HEARS}\n        self.position_callback(UInt32(data=0))"},
+        "The controller: position 0 was not printed by the callback of its subscription",
+        "Leave that to it.",
     ),
     ({"0.5, self.sensor": "1.0, self.sensor"}, "The sensor: position 1 came at 1 s, not at 0.5 s", STAYS),
     (

@@ -107,7 +107,6 @@ MADE
 rclpy.spin(node)
 """
 FREQUENCY = 'self.declare_parameter("frequency", 2.0).value'
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     PLAIN.replace("MADE", f"node.create_timer(1 / {FREQUENCY.replace('self', 'node')}, callback)"),
@@ -126,7 +125,6 @@ WRONG = [
     ({"self.get_logger().info(": "rclpy.loginfo("}, "no attribute 'loginfo'", "In ROS 2 it is `self.get_logger()"),
     ({FREQUENCY: FREQUENCY.replace(".value", "")}, "and 'Parameter'", "which is its `.value`"),
     ({"SpinnerPyNode(Node):": "SpinnerPyNode:", '("spinner_py_node")': "()"}, "attribute '", "(Node)`?"),
-    (FOR_ROS_1, "This node is for ROS 1: it imports `rospy`", "where a node imports `rclpy`"),
     ("import rospy, rclpy\n", "imports both", "This exercise is on ROS 2"),
     ({"timer_callback(self)": "timer_callback(self, event)"}, "missing 1 required positional", "no argument"),
     ({FREQUENCY: "2.0"}, "With `frequency:=10.0`: counter 1 came at 0.5 s", "is called"),

@@ -80,7 +80,6 @@ IN_EACH_CALL = {  # a publisher is made for each message
     PUBLISHES: f"{MAKES_PUBLISHER}{PUBLISHES}",
 }
 MADE_ONCE = "Make it once, before the timer"
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {
@@ -132,6 +131,19 @@ WRONG = [
         "on `/counter`: the node published nothing",
         "There is a publisher, but nothing publishes with it.",
     ),
+    (
+        {
+            MAKES_PUBLISHER: MAKES_PUBLISHER.replace("10)", "qos_profile_sensor_data)"),
+            "import rclpy\n": "import rclpy\nfrom rclpy.qos import qos_profile_sensor_data\n",
+        },
+        "The listener: no counter was printed",
+        "The publisher offers less than the listener asks for",
+    ),
+    (
+        {"[LISTENER] counter": "[LISTENER] number"},
+        "The listener: no counter was printed",
+        "Leave the listener as it is",
+    ),
     ({MAKES_PUBLISHER: ""}, "has no attribute 'publisher'", "with its `self.`"),
     (
         {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"count"')},
@@ -175,5 +187,4 @@ WRONG = [
         "The listener: no counter",
         "Nothing subscribes to `/counter` any more.",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -129,7 +129,6 @@ SLOW_GROUP = f",\n            callback_group={MUTUAL_TIMER})"
 SLOW_SERVICE = f"""self.create_service(
             Trigger, "take_picture", self.picture_callback{SLOW_GROUP}"""
 SPIN_SLOW = "        rclpy.spin(robot_py_node, MultiThreadedExecutor())\n"
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {"MultiThreadedExecutor()": "MultiThreadedExecutor(2)"},
@@ -186,5 +185,4 @@ WRONG = [
         "counter 11 came at 1.35 s",
         "a single-threaded executor",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from .. import judges as by
+from ..feedback import Finding
+from ..judging import Answer
 
 TITLE = "Wake a sleeping Rate"
 TEXT = """
@@ -58,7 +62,36 @@ HINTS = [
 ]
 HINT = "A Rate is a timer that wakes the thread in `sleep()`: while one thread sleeps, another has to spin."
 
-check = by.makes_passes_until_signalled
+
+def check(answer: Answer) -> Iterator[Finding]:
+    """Whether a loop of 2 Hz makes its passes, and the node ends well by either signal."""
+    endings = []
+    for work, seconds in ((0.1, 3.3), (0.4, 3.05)):
+        when = f"With `work:={work}`"
+        seen = answer.run(seconds, f"work:={work}", has_to_end=False)
+        counters = seen.counters()
+        hint = ""
+        if len(counters) == 1 and seen.interrupted:
+            hint = "The first `sleep()` never returned. A Rate is a timer: who calls it back while the loop sleeps?"
+        elif len(counters) > 1 and abs(counters[1].time - 0.5 - work) < by.CLOSE:
+            hint = "The work is a part of the period: shorten the pause by the time that the work takes."
+        elif counters and counters[0].time > by.CLOSE:
+            hint = "The first pass begins immediately: the loop sleeps at its end, and a timer would wait for a period."
+        elif len(counters) > 1 and work > 0.1 and abs(counters[1].time - 0.4 - work) < by.CLOSE:
+            hint = "The pause is the same whatever the work takes. Make it as long as what is left of the period."
+        elif len(counters) > 1 and abs(counters[1].time - 0.5) > 0.05:
+            hint = "A Rate is given a frequency. Passes every 0.5 s are 2.0 a second."
+        finding = by.on_time(counters, by.grid(0.5, seconds, start=0.0), when, hint)
+        yield finding
+        endings.append(by.ends_well(seen, f"{when}, Ctrl-C"))
+        if not finding.right or seen.killed:
+            yield from endings
+            return
+    # SIGTERM first: if the loop is in the main part, catching exceptions there does not help.
+    yield from by.ending(6.3, by.ends_at_sigterm(3.3), when="SIGTERM", terminated_at=3.3)(answer)
+    yield from endings
+    yield from by.shaken(2, 3.3, by.ticks(0.5, start=0.0))(answer)
+
 
 SOLUTION = {
     "import time\n": "import threading\nimport time\n",
@@ -99,7 +132,6 @@ IN_MAIN = {
     threading.Thread(target=spin, daemon=True).start()
 """,
 }
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {SPIN_CAUGHT: f"    try:\n{SPIN}{CAUGHT}    finally:\n        rclpy.try_shutdown()\n"},
@@ -234,5 +266,4 @@ WRONG = [
         "no counter was printed",
         "wakes the thread in `sleep()`",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]
