@@ -14,7 +14,7 @@ from cpp_scenarios import FOLDER, SECONDS, compared, recorded, words
 from tree import ROOT
 
 from rosspin import NotSimulated, TimeStandsStill, simulate
-from rosspin.cpp import program
+from rosspin.cpp import nodejs
 from rosspin.results.recordings import load
 
 Write = Callable[[str, str], Path]
@@ -169,12 +169,12 @@ def test_a_subscriber_may_name_its_message(write: Write) -> None:
 
 def test_a_process_that_has_run_a_node_runs_the_next_one() -> None:
     runs = [simulate(PROBE, 2.0, [f"_period:={period}"]) for period in (0.5, 0.25, 0.5)]
-    (child,) = program._idle
+    (child,) = nodejs._idle
     child.kill()
     child.wait()
     runs.append(simulate(PROBE, 2.0, ["_period:=0.5"]))
     assert [len(run.ticks) for run in runs] == [4, 8, 4, 4]
-    assert runs[0] == runs[2] == runs[3] and program._idle != [child]
+    assert runs[0] == runs[2] == runs[3] and nodejs._idle != [child]
 
 
 @pytest.mark.parametrize("work", ["", "count = ros::Time::now().toSec();", "ros::WallDuration(0.0).sleep();"])
@@ -228,7 +228,7 @@ def test_what_gxx_lets_pass_is_let_pass(write: Write) -> None:
 
 
 def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosspin.cpp.program._MOST", 0.5)
+    monkeypatch.setattr("rosspin.cpp.nodejs._MOST", 0.5)
     node = write('#include "ros/ros.h"\nint main()\n{\n  for (volatile int i = 0;; i++) {}\n}\n', "node.cpp")
     with pytest.raises(TimeStandsStill, match=r"node\.cpp: simulated time stands still at 0\.0 s, because the node"):
         simulate(node, 1.0)

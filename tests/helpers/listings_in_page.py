@@ -26,7 +26,7 @@ LISTINGS = [
 
 TIMER, RATE = 3, 4
 
-IN_PYTHON = "div.live:not(.highlight-cpp)"
+IN_PYTHON = "div.live:not(.highlight-cpp, .highlight-xml)"
 
 ROS2 = [
     EXAMPLES / "my_robotics_pkg_ros2" / "my_robotics_pkg" / f"spinner_{name}py_node.py"
@@ -46,7 +46,7 @@ class Cell:
         self.editor = self.element.get_by_role("textbox", name="Code of")
 
     def button(self, name: str) -> Locator:
-        return self.element.get_by_role("button", name=re.compile(f"^{name} (?!both )"))
+        return self.element.get_by_role("button", name=re.compile(f"^{name} (?!both |with )"))
 
     def run(self, seconds: float = 2, speed: str = "instantly") -> None:
         self.element.get_by_role("spinbutton").fill(str(seconds))

@@ -7,7 +7,8 @@ import { LONGEST, SHOWN } from "./limits.js"
  * What the page sends:
  * @typedef {[source: string, filename: string, args: string]} Beside - a node that runs together with the job's
  * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number,
- *   beside: Beside[]}} RunJob
+ *   beside: Beside[], programs: string[], files: Record<string, string>}} RunJob programs: the names of the files, sent
+ *   before, of those in C++, packed or not; files: of a launch file, what it starts, by their paths
  * @typedef {{kind: "cpp", name: string, bytes: ArrayBuffer | null, ros: number, filename: string, seconds: number, args: string,
  *   speed: number}} CppJob to run a compiled node; bytes: its program, packed until it reaches its worker
  * @typedef {{kind: "compile", text: string, filename: string}} CompileJob
@@ -86,7 +87,8 @@ import { LONGEST, SHOWN } from "./limits.js"
  *   wait(ms: number): Promise<void>,
  * }} Shown of a run, as it happens
  * @typedef {{
- *   run: Python<[source: string, filename: string, seconds: number, args: string, speed: number, beside: string, page: Shown]>,
+ *   run: Python<[source: string, filename: string, seconds: number, args: string, speed: number, beside: string, files: string,
+ *     page: Shown]>,
  *   trace: Python<[exercise: string, text: string]>,
  *   judge: Python<[exercise: string, text: string, trace: string]>,
  *   look: Python<[log: ArrayBuffer, name: string]>,

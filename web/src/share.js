@@ -49,6 +49,6 @@ export async function receive(cells, base) {
   if (!place) throw new Error("The code in this link belongs to a listing that this page no longer has.")
   /** @type {typeof import("./editor.js") | null} */
   const editor = await import(`${base}editor.js`).catch(() => null)
-  const { pre, said } = reveal(text, editor?.coloured(text, place.isCpp))
+  const { pre, said } = reveal(text, editor?.coloured(text, place.language))
   place.receive({ kept: { ...UNKEPT, text }, seconds, args, notice: `${NOTICE} ${said}`, shown: pre })
 }

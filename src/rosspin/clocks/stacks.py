@@ -41,6 +41,7 @@ class Program:
     main: Stack
     name = ""  # of its node, once it has one
     file = ""  # of its code
+    tells = True  # whether it tells what it calls, as a node in C++ does not
 
     def __init__(self) -> None:
         self.interrupted = False

@@ -22,9 +22,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..messages.library import Library
+from ..programs.cmake import companions
 from ..world.world import NotSimulated
 from . import headers
-from .cmake import companions
 
 __all__ = ["Built", "CompileError", "build", "build_together", "compiler", "node_command"]
 

@@ -1,56 +1,53 @@
-"""A compiled C++ node as the main program of a process: it runs in Node.js, and its time is the process's clock.
+"""A compiled node as the main program of a process, whose clock is its time, wherever the program itself runs.
 
-The two talk in batches, as ``js/node.mjs`` says: the node runs on its own for as long as nothing else is due, tells
+The two talk in batches, as ``cpp/js/node.mjs`` says: the node runs on its own for as long as nothing else is due, tells
 what it has done, and waits. Here that wait is one of a stack on the clock, as any other node's is.
 """
 
 from __future__ import annotations
 
-import atexit
 import codecs
-import json
 import os
 import random
-import select
 import signal
-import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
-from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
-from ..clocks.frames import Place
-from ..clocks.programs import end_run
 from ..clocks.simulation import Simulation
 from ..clocks.stacks import current
 from ..world.world import NotSimulated, World, current_world
-from .building import Built, node_command
 from .values import packed, unpacked
 
-__all__ = ["Program"]
-
-_RUN = Path(__file__).parent / "js" / "run.mjs"
+__all__ = ["Batch", "Child", "Program"]
 
 NEVER = 2**63 - 1
 
 _TICK = 32  # bytes
-_CHUNK = 1 << 16  # bytes that are read at once
-
-# How often (s) a node is looked at while it computes, and after how much time of a processor (s) it will not end.
-_LOOK = 0.2
-_MOST = 10.0
 
 _SEGMENTATION_FAULT = 128 + 11
 
+Batch = dict[str, Any]
+
+
+class Child(Protocol):
+    """Where a node runs."""
+
+    def go_on(self, message: Mapping[str, Any]) -> Iterator[Batch]:
+        """Let it begin, or continue, and yield its batches until one in which it waits or has ended."""
+
+    def end(self, by_itself: bool) -> None:
+        """Clear up after it."""
+
 
 class Program:
-    """Runs a compiled node when it is called: ``built`` is the program, ``path`` its source."""
+    """Runs a compiled node of a ROS, whose source is ``path``, when it is called; ``begin`` makes what it runs in."""
 
-    def __init__(self, built: Built, path: str) -> None:
-        self.wasm = built.program
-        self.ros = built.ros
+    def __init__(self, ros: int, path: str, begin: Callable[[World, Simulation], Child]) -> None:
+        self.ros = ros
         self.path = path
+        self.begin = begin
 
     def __call__(self) -> None:
         """Run it to its end, on a stack of a simulation, within a process. Raises SystemExit with its status."""
@@ -76,25 +73,23 @@ class _Running:
         self._open: dict[int, int] = {}  # the places of ticks that have not ended, by their numbers
         self._streams = {1: _Stream(lambda: sys.stdout), 2: _Stream(lambda: sys.stderr)}
         self._ros = _answers(program.ros)(world, self._come)
-        self._data = bytearray()  # that was read, and not used yet
         self._has_ended = False  # by itself
 
     def run(self) -> None:
         for number in (signal.SIGINT, signal.SIGTERM):
             self._world.handlers[number] = self._on_signal
-        self._child = _begin()
+        self._world.tells = False
+        child = self._program.begin(self._world, self._clock)
         try:
-            self._send(self._start())
-            self._follow()
+            message = self._start()
+            while True:
+                for batch in child.go_on(message):
+                    message = self._follow(batch)
         finally:
-            if self._has_ended:
-                _idle.append(self._child)
-            else:
-                _end(self._child)
+            child.end(self._has_ended)
 
     def _start(self) -> dict[str, Any]:
         return {
-            "program": str(self._program.wasm),
             "args": self._world.argv,
             "environment": dict(os.environ),
             "start": str(self._clock.now()),
@@ -102,28 +97,27 @@ class _Running:
             "seed": random.getrandbits(32),
         }
 
-    def _follow(self) -> None:
-        """Run the node until it ends."""
-        while True:
-            batch = self._read_line()
-            self._advance(int(batch["now"]))
-            for entry in batch["log"]:
-                self._note(*entry)
-            if "ticks" in batch:
-                self._note_ticks(self._read(lambda data: batch["ticks"]))
-            if "trap" in batch:
-                self._trapped(batch["trap"], batch["where"])
-            if "status" in batch:
-                self._has_ended = True
-                raise SystemExit(batch["status"])
-            if "asks" in batch:
-                what, values = unpacked(batch["asks"])
-                if what == "not_simulated":
-                    raise NotSimulated(*values)
-                self._reply(packed(self._ros.answer(what, values)))
-            elif "wake" in batch:
-                self._wait(int(batch["wake"]))
-                self._reply()
+    def _follow(self, batch: Batch) -> dict[str, Any]:
+        """Note what the node has done; if it waits, wait with it, and return what to tell it."""
+        self._advance(int(batch["now"]))
+        for entry in batch["log"]:
+            self._note(*entry)
+        if "ticks" in batch:
+            self._note_ticks(batch["ticks"])
+        if "trap" in batch:
+            self._trapped(batch["trap"], batch["where"])
+        if "status" in batch:
+            self._has_ended = True
+            raise SystemExit(batch["status"])
+        if "asks" in batch:
+            what, values = unpacked(batch["asks"])
+            if what == "not_simulated":
+                raise NotSimulated(*values)
+            return self._reply(packed(self._ros.answer(what, values)))
+        if "wake" in batch:
+            self._wait(int(batch["wake"]))
+            return self._reply()
+        return {}
 
     # --- time ---
 
@@ -151,62 +145,17 @@ class _Running:
         self._signals.append(number)
         self._clock.wake(self._stack)
 
-    # --- the pipes ---
-
-    def _send(self, message: dict[str, Any]) -> None:
-        assert self._child.stdin
-        try:
-            self._child.stdin.write(json.dumps(message).encode() + b"\n")
-        except BrokenPipeError:
-            pass  # what it has to say of its end is still to be read
-
-    def _reply(self, answer: str = "") -> None:
+    def _reply(self, answer: str = "") -> dict[str, Any]:
         events, self._events = self._events, []
         signals, self._signals = self._signals, []
-        self._send(
-            {
-                "now": str(self._clock.now()),
-                "ahead": str(self._clock.ahead),
-                "horizon": str(self._clock.horizon()),
-                "events": [(str(when), text) for when, text in events],
-                "signals": signals,
-                "answer": answer,
-            }
-        )
-
-    def _read_line(self) -> dict[str, Any]:
-        batch: dict[str, Any] = json.loads(self._read(lambda data: data.find(b"\n", max(len(data) - _CHUNK, 0)) + 1))
-        return batch
-
-    def _read(self, find_end: Callable[[bytearray], int]) -> bytes:
-        """Take what the node has written up to ``find_end(data)``: 0, or more than there is, until that has come."""
-        assert self._child.stdout
-        file = self._child.stdout.fileno()
-        used = self._used()
-        while not 0 < (end := find_end(self._data)) <= len(self._data):
-            ready, _, _ = select.select([file], [], [], _LOOK)
-            self._clock.beside += 1
-            if ready:
-                data = os.read(file, _CHUNK)
-                if not data:
-                    status = self._child.wait()
-                    self._world.failure = RuntimeError(f"{self._program.path}: Node.js has ended, status {status}")
-                    end_run()
-                self._data += data
-            elif self._used() - used > _MOST:
-                self._stand_still()
-        taken = bytes(self._data[:end])
-        del self._data[:end]
-        return taken
-
-    def _used(self) -> float:
-        """For how long (s) the node has had a processor."""
-        try:
-            with open(f"/proc/{self._child.pid}/stat") as file:
-                fields = file.read().rpartition(")")[2].split()
-        except OSError:
-            return 0.0
-        return sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK")
+        return {
+            "now": str(self._clock.now()),
+            "ahead": str(self._clock.ahead),
+            "horizon": str(self._clock.horizon()),
+            "events": [(str(when), text) for when, text in events],
+            "signals": signals,
+            "answer": answer,
+        }
 
     # --- what it has done ---
 
@@ -253,34 +202,6 @@ class _Running:
         place = next((name for name in where if name), "")
         sys.stderr.write(f"rosspin: {self._program.path}: {trap}{f', in {place}' if place else ''}\n")
         raise SystemExit(_SEGMENTATION_FAULT)
-
-    def _stand_still(self) -> None:
-        self._child.kill()
-        self._clock.stand_still(Place(self._program.path, 0))
-
-
-# Processes of Node.js whose nodes have ended: to start another takes longer than most runs.
-_idle: list[subprocess.Popen[bytes]] = []
-os.register_at_fork(after_in_child=_idle.clear)
-
-
-def _begin() -> subprocess.Popen[bytes]:
-    while _idle:
-        if (child := _idle.pop()).poll() is None:
-            return child
-    command = [*node_command(), str(_RUN)]
-    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, cwd=_RUN.parent)
-
-
-def _end(child: subprocess.Popen[bytes]) -> None:
-    with child:
-        child.kill()
-
-
-@atexit.register
-def _end_idle() -> None:
-    while _idle:
-        _end(_idle.pop())
 
 
 def _answers(ros: int) -> Any:
