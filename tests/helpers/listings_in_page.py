@@ -78,9 +78,15 @@ def open_exercise(page: Page, address: str, name: str, anchor: str = "") -> Cell
     return Cell(page, 0, f"div.live:has([aria-label='Run answer {name}'])")
 
 
+def unfold(page: Page) -> None:
+    """Open what is folded."""
+    page.locator("details").evaluate_all("all => all.forEach((each) => (each.open = true))")
+
+
 def open_tutorial(page: Page, address: str) -> None:
     page.goto(address + TUTORIAL)
     page.locator(".sd-tab-label", has_text="Python").first.click()
+    unfold(page)
 
 
 def have_workers(page: Page, count: int) -> None:

@@ -116,6 +116,30 @@ def test_no_stiff_word_is_left() -> None:
     assert not {path: words for path, words in found.items() if words}
 
 
+# Sounds translated, too. Gone through are the course on ROS 2, up to its exercises, and what is like it for ROS 1.
+TRANSLATED = re.compile(r"\b(stands?(?!-)|lets?|beside)\b|(?<=\. )What\b[^?.]*\.(?= |$)", re.IGNORECASE)
+COURSE = [
+    ROOT / f"docs/{ros}{name}.rst" for ros in ("", "ros2/") for name in ("tutorial", "publish", "how-timing-works")
+]
+COURSE += [ROOT / f"notebooks/ros2-{name}.md" for name in ("timer", "rate", "executors", "publish", "services")]
+COURSE += [ROOT / f"notebooks/{name}.md" for name in ("timer", "rate", "slow-callback", "drift", "publish")]
+COURSE += [ROOT / "notebooks/two-languages.md"]
+
+
+@pytest.mark.parametrize(
+    "text", ["It stands\nbelow.", "Let it run.", "a box beside it", "It ran. What counts is time.\n"]
+)
+def test_a_phrase_that_sounds_translated_would_be_noticed(text: str) -> None:
+    assert TRANSLATED.search(_unwrapped(text))
+    assert not TRANSLATED.search("a stand-in, letter, besides, It ran. What counts?")
+
+
+@pytest.mark.parametrize("page", COURSE, ids=lambda page: page.stem)
+def test_nothing_on_the_course_sounds_translated(page: Path) -> None:
+    text = _unwrapped(page.read_text(encoding="utf-8"))
+    assert not [found[0] for words in (STIFF, TRANSLATED) for found in words.finditer(text)]
+
+
 def _unwrapped(text: str) -> str:
     """A text in one line, without the marks of comments."""
     return re.sub(r"\n[ \t]*(?:#|//|\*)?[ \t]*", " ", text)

@@ -422,6 +422,8 @@ export class Cell {
       this.#pre.replaceChildren(...shown.childNodes)
       this.#pre.className = shown.className
     }
+    const fold = this.#pre.closest("details")
+    if (fold) fold.open = true
     this.notice.scrollIntoView({ block: "center" })
   }
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from listings_in_page import Cell
+from listings_in_page import Cell, unfold
 from playwright.sync_api import BrowserContext, Page, expect
 from tree import EXAMPLES
 
@@ -128,6 +128,7 @@ def test_stop_reset_and_again(page: Page, address: str) -> None:
 
 def test_arguments_reach_a_node(page: Page, address: str) -> None:
     page.goto(f"{address}docs/publish.html?lang=cpp")
+    unfold(page)
     cell = Cell(page, 0, f"{CPP}:has([aria-label='Run eager_cpp_node.cpp'])")
     field = cell.element.get_by_role("textbox", name="Arguments")
     expect(field).to_have_attribute("placeholder", "_frequency:=5")
@@ -155,6 +156,7 @@ def test_nodes_run_together_in_one_language_or_in_two(page: Page, address: str, 
         return EXAMPLES / FOLDERS[address_of_page][language] / f"{kind}_{language}_node.{language}"
 
     page.goto(f"{address}{address_of_page}?lang=cpp")
+    unfold(page)
     for own, other in (("publisher", "subscriber"), ("subscriber", "publisher")):
         cell = Cell(page, 0, f"{CPP}:has([aria-label='Run {own}_cpp_node.cpp'])")
         cell.element.get_by_role("spinbutton").fill("2")
@@ -167,6 +169,7 @@ def test_nodes_run_together_in_one_language_or_in_two(page: Page, address: str, 
             alternative = " ".join(describe_timeline(name, ticks) for name, ticks in by_source(run.ticks).items())
             expect(cell.plot).to_have_attribute("aria-label", f"Timeline. {alternative}")
     page.goto(f"{address}{address_of_page}?lang=python")
+    unfold(page)
     cell = Cell(page, 0, "div.live:has([aria-label='Run publisher_py_node.py'])")
     cell.element.get_by_role("spinbutton").fill("2")
     cell.button("Run with C\\+\\+").click()
@@ -177,6 +180,7 @@ def test_nodes_run_together_in_one_language_or_in_two(page: Page, address: str, 
 def test_a_pair_can_be_stopped_and_needs_jspi(context: BrowserContext, address: str) -> None:
     page = context.new_page()
     page.goto(f"{address}docs/publish.html?lang=cpp")
+    unfold(page)
     cell = Cell(page, 0, f"{CPP}:has([aria-label='Run subscriber_cpp_node.cpp'])")
     cell.element.get_by_role("spinbutton").fill("1000")
     cell.element.get_by_role("combobox").select_option("real time")
@@ -188,6 +192,7 @@ def test_a_pair_can_be_stopped_and_needs_jspi(context: BrowserContext, address: 
     page = context.new_page()
     page.add_init_script("delete WebAssembly.Suspending")
     page.goto(f"{address}docs/publish.html?lang=cpp")
+    unfold(page)
     cell = Cell(page, 0, f"{CPP}:has([aria-label='Run subscriber_cpp_node.cpp'])")
     cell.button("Run both").click()
     expect(cell.status).to_contain_text("runs one node at a time: it lacks JSPI, which Chrome")
@@ -250,6 +255,7 @@ def test_a_changed_partner(page: Page, address: str) -> None:
     """It is compiled as it stands there. One that does not compile, never ends, prints without end or uses a null
     pointer harms no page."""
     page.goto(f"{address}docs/publish.html?lang=cpp")
+    unfold(page)
     publisher, subscriber = (
         Cell(page, 0, f"{CPP}:has([aria-label='Run {name}_cpp_node.cpp'])") for name in ("publisher", "subscriber")
     )
