@@ -83,7 +83,7 @@ html doctest linkcheck: $(VENV) $(NPM)
 html: $(WEB)
 
 # What runs in the page: rebuilt only when its sources change, its packages only when their pins do.
-$(WEB): $(NPM) $(wildcard web/*.mjs web/*.py web/src/* web/licences/* notebooks/*exercises.md lessons/*.py) $(shell find src/rosspin -name '*.py' -o -name '*.txt' -o -name '*.toml' -o -name '*.mjs')
+$(WEB): $(NPM) $(wildcard web/*.mjs web/*.py web/src/* web/licences/* lessons/*.py) $(shell find src/rosspin -name '*.py' -o -name '*.txt' -o -name '*.mjs')
 	"$(BIN)/node" --experimental-wasm-jspi web/build.mjs build/npm "$$("$(BIN)/python" -c 'import yaml; print(*yaml.__path__)')" build/web/live "$$("$(BIN)/python" -m rosspin.site.rules)"
 
 $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
@@ -100,7 +100,7 @@ $(NPM)-for-test: $(NPM)
 outputs: $(VENV) $(NPM)
 	$(call SPHINX,$@) -q
 
-# The lanes of the tests: see tests/README.md. That of what is real comes with ROSSPIN_REQUIRE, which says what must be
+# The lanes of the tests: see tests/README.md. The real lane comes with ROSSPIN_REQUIRE, which says what must be
 # there. A whole file at a time: its tests share what they have built or started. What is real waits half of the time.
 PYTEST = "$(BIN)/pytest" --numprocesses $(1) --dist loadfile --no-loadscope-reorder
 

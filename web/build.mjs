@@ -72,7 +72,7 @@ const files = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
-    if (!/\.(py|txt|toml)$/.test(name) || /^(cpp|faults|grading|orders|plots|real|site)\/|^look\/bags/.test(name)) continue
+    if (!/\.(py|txt)$/.test(name) || /^(cpp|faults|grading|orders|plots|real|site)\/|^look\/bags/.test(name)) continue
     files[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file))
   }
 }
@@ -80,9 +80,11 @@ const lessons = path.join(here, "../lessons")
 for (const name of existsSync(lessons) ? readdirSync(lessons).sort() : []) {
   if (name.endsWith(".py")) files[`rosspin/exercises/own/${name}`] = readFileSync(path.join(lessons, name))
 }
-// The answers come last, and are no one's business there.
+// The answers come last, and are no one's business there. What the pages show of an exercise would only take memory.
 for (const name of Object.keys(files).filter((name) => name.startsWith("rosspin/exercises/own/"))) {
-  files[name] = Buffer.from(files[name].toString().replace(/^(SOLUTION|RIGHT) = [^]*$/m, "RIGHT = WRONG = ()\n"))
+  let text = files[name].toString().replace(/^(SOLUTION|RIGHT) = [^]*$/m, "RIGHT = WRONG = ()\n")
+  text = text.replace(/^TEXT = ("""|''')[^]*?\1$/m, "").replace(/^REVEALS = (".*"|\([^]*?^\))$/m, "")
+  files[name] = Buffer.from(/^HINT = /m.test(text) ? text.replace(/^HINTS = \[[^]*?^\]$/m, "HINTS = ()") : text)
 }
 writeFileSync(path.join(out, "rosspin.zip"), zipSync(files, { level: 9, mtime: new Date(1980, 0) }))
 

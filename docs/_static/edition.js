@@ -1,4 +1,4 @@
-// A link that names an edition, as those of the home page do with "?ros=2", chooses it for the tabs of every later page.
+// A link that names an edition, as the home page's do with "?ros=2", chooses it for the tabs of every later page.
 // sphinx-design, which remembers tabs, heeds such a name only on pages that have these tabs themselves. A link with
 // "?path=evening" chooses a path, which the pages on it then say, and along which they lead.
 {

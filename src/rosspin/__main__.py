@@ -45,7 +45,7 @@ __all__ = ["main"]
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the command line ``argv`` (default: that of the process) and return the exit status."""
+    """Run the command line ``argv`` (default: the process's) and return the exit status."""
     try:
         try:
             return _main(argv)
@@ -119,7 +119,7 @@ def _parser() -> argparse.ArgumentParser:
         action="append",
         default=[],
         metavar="FAULT",
-        help="with --simulated: what is to go wrong, as in --fault 'Topic(\"/scan\", drop=0.1)'; may be repeated",
+        help="with --simulated: what should go wrong, as in --fault 'Topic(\"/scan\", drop=0.1)'; may be repeated",
     )
     run.add_argument(
         "--jitter",
@@ -307,7 +307,7 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
 
 def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> Result | Run:
     if options.ros1 or options.ros2:
-        # These signals, which ask this process to end, are to end the nodes, too.
+        # These signals, which ask this process to end, should end the nodes, too.
         for number in (signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, signal.default_int_handler)
         _warn_of_files(options.file, args)
@@ -386,7 +386,7 @@ def _picture(ticks: Sequence[Tick], faults: Sequence[Mishap]) -> Any:
 
 
 def _wrong(options: argparse.Namespace) -> Sequence[Fault]:
-    """Return what is to go wrong in the run."""
+    """Return what should go wrong in the run."""
     return with_jitter([read(text) for text in options.fault], options.jitter)
 
 

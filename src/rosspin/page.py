@@ -20,11 +20,12 @@ import threading
 import time
 import zipimport
 from collections import defaultdict, deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
-from functools import cache, wraps
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import chdir, contextmanager, redirect_stderr, redirect_stdout, suppress
+from functools import cache, partial, wraps
 from itertools import islice
 from json import dumps, loads
+from pathlib import Path
 from traceback import walk_tb
 from typing import TYPE_CHECKING, Any
 
@@ -41,6 +42,7 @@ from .exercises.advice import advice, lacking
 from .measures import by_source, describe_timeline, lost_by_source, quantile
 from .results.pinned import as_test
 from .results.ticks import Tick
+from .run import source as sources
 from .run.alone import ON_A_COMPUTER, refuse_processes
 from .run.beside import run_beside
 from .run.explain import TimeStandsStill, say_error
@@ -48,8 +50,8 @@ from .run.host import Result
 from .run.roses import ROSES, Ros
 from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
-from .run.simulate import run_node, run_nodes
-from .run.source import Code, load_source, split_words
+from .run.simulate import run_node, run_nodes, several
+from .run.source import CPP, Code, code_of_program, load_source, split_words
 from .run.steps_seen import StepsSeen
 from .vehicle import VEHICLES
 from .vehicle.drawn import drawn
@@ -60,6 +62,7 @@ from .world.world import NotSimulated, World
 if TYPE_CHECKING:
     from .hand_ins.on_page import Table
     from .look import Look
+    from .programs import Batch
 
 __all__ = ["answer", "judge", "look", "pin", "read", "report", "run", "trace", "wake"]
 
@@ -125,12 +128,14 @@ class _Supplied:
         return io.open_code(path)
 
 
-def run(source: str, filename: str, seconds: float, args: str, speed: float, beside: str, page: Any) -> str:
+def run(source: str, filename: str, seconds: float, args: str, speed: float, beside: str, files: str, page: Any) -> str:
     """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time (0: without waiting).
 
     ``args`` are its command line, split into words as a shell does. A text that begins with ``%%simulate SECONDS --
     ARGS`` brings its own. ``beside`` lists, as JSON, the texts, file names and arguments of other nodes that run
-    together with it.
+    together with it. A node whose file is one in C++ has been compiled: ``page.program(name)`` returns its program, as
+    ``cpp/js/beside.mjs`` makes it. If there are ``files``, texts by their paths, as JSON, the text is a launch file's
+    among them.
 
     ``page`` is a JavaScript object. Its ``print(text, isError, line)`` is called with what the node prints, and with
     the line that logged it if that is a warning or worse, else 0; its ``tick(source, number, expected, real)`` is
@@ -145,14 +150,19 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
     with _left_as_found(), redirect_stdout(streams[0]), redirect_stderr(streams[1]):
         try:
+            if launched := loads(files):
+                pacer = _Pacer(page, speed, printed, "", ROSES[1], several=True)
+                words = _split(args, "arguments")
+                return dumps(_launch(source, filename, seconds, words, launched, page, pacer, printed))
             if source.startswith("%%"):
                 seconds, node_args = _magic(source)
             else:
                 node_args = _split(args, "arguments")
-            others = [(load_source(*code), _split(words, "arguments")) for *code, words in loads(beside)]
-            node = load_source(exercises.code(source), filename)
+            others = [(_load(text, name, page), _split(words, "arguments")) for text, name, words in loads(beside)]
+            node = _load(exercises.code(source), filename, page)
             drives = source.startswith("%%drive ")
-            pacer = _Pacer(page, speed, printed, "" if drives else filename, ROSES[node.hint or 1], len(others) > 0)
+            seen = "" if drives or node.source is None else filename
+            pacer = _Pacer(page, speed, printed, seen, ROSES[node.hint or 1], len(others) > 0)
             if drives:
                 return dumps(_drive(node, seconds, node_args, pacer, printed))
             return dumps(_run(node, seconds, node_args, others, pacer, printed))
@@ -160,11 +170,39 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):
                 print("Python could not read this line, so nothing ran.", file=sys.stderr)
-            if isinstance(error, NotSimulated):
+            if isinstance(error, NotSimulated) and not filename.endswith(CPP):
                 ros = load_source(exercises.code(source), filename).hint or 1
                 with_ros, option = ("", "") if error.where == ON_A_COMPUTER else (f" with ROS {ros}", f" --ros{ros}")
                 print(f"On a computer{with_ros}, run: python -m rosspin run{option} FILE", file=sys.stderr)
             return dumps({"status": 1})
+
+
+def _load(source: str, filename: str, page: Any) -> Code:
+    if not filename.endswith(CPP):
+        return load_source(source, filename)
+    from .programs import Program  # most runs go without
+
+    begin = partial(_Child, page.program(os.path.basename(filename)))
+    return code_of_program(Program(2 if "rclcpp/" in source else 1, filename, begin))
+
+
+class _Child:
+    """A node in C++ that runs in this page."""
+
+    def __init__(self, program: Any, world: World, clock: Simulation) -> None:
+        self._program = program
+        self._clock = clock
+
+    def go_on(self, message: Mapping[str, Any]) -> Iterator[Batch]:
+        # It never runs on its own: what it does is shown when it does it.
+        told = {**message, "horizon": message.get("now")}
+        for batch in run_sync(self._program.goOn(dumps(told))):
+            self._clock.beside += 1
+            ticks = batch.ticks
+            yield loads(batch.text) | ({"ticks": ticks.to_bytes()} if ticks else {})
+
+    def end(self, by_itself: bool) -> None:
+        pass  # it ends with the page's Python
 
 
 def trace(exercise: str, text: str) -> str:
@@ -370,12 +408,38 @@ def _drive(node: Code, seconds: float, args: Sequence[str], pacer: _Pacer, print
     return _shown(result._replace(ticks=ticks), seconds, args, pacer, printed) | {"drive": drive}
 
 
+def _launch(
+    source: str,
+    filename: str,
+    seconds: float,
+    args: Sequence[str],
+    files: dict[str, str],
+    page: Any,
+    pacer: _Pacer,
+    printed: _Printed,
+) -> dict[str, Any]:
+    from .results.folders import TemporaryFolder  # likewise
+
+    def load_cpp(path: str, waiting: object) -> Code:
+        return _load(Path(path).read_text(encoding="utf-8"), path, page)
+
+    with TemporaryFolder() as folder, chdir(folder.path), patched([(sources, "load_cpp", lambda real: load_cpp)]):
+        for name, text in {**files, filename: source}.items():
+            path = Path(name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        launched = several(filename, args)
+        assert launched
+        return _shown(run_nodes(launched, seconds, pacer.simulation, printed), seconds, args, pacer, printed)
+
+
 def _shown(result: Result, seconds: float, args: Sequence[str], pacer: _Pacer, printed: _Printed) -> dict[str, Any]:
     errors = [error for process in result.host.processes for error in process.world.errors]
     hints = [_hint(error) for error in errors]
     ended_early = result.status == 0 and pacer.simulation.now() < seconds * NS
-    ros = ROSES.get(result.world.ros)
-    if ros and ended_early and not result.ticks and result.world.has_sources:
+    first = next(iter(result.host.processes), None)  # a launch file may start none
+    ros = ROSES.get(first.world.ros) if first else None
+    if first and first.node.source is not None and ros and ended_early and not result.ticks and first.world.has_sources:
         hints.append(f"The node had a timer, which was never called. Is {ros.spins} missing at its end?")
     if ros and ros.sets and ros.sets not in args and any(_FOR_ROS.match(word) for word in args):
         like = " ".join(ros.words("-p", ["frequency:=5.0"]))
@@ -450,6 +514,10 @@ class _Printed(TickLog):
         self._last[thread] = place = super().add(source, number, expected, real, duration)
         return place
 
+    def extend(self, *columns: Sequence[Any]) -> None:
+        for tick in zip(*columns, strict=True):
+            self.add(*tick)
+
     def forget_before(self, make: Callable[..., None]) -> Callable[..., None]:
         """Wrap ``Rate.__init__`` of either ROS: what its thread has printed before belongs to no pass of its loop."""
 
@@ -478,7 +546,7 @@ def _deque(items: Iterable[Any] = ()) -> deque[Any]:
 class _Pacer:
     """Makes a simulation keep pace with the page's clock, and shows the page each tick as it begins.
 
-    Of the node in the file ``filename``, if one is given, it keeps the steps, with those of ``several`` next to it.
+    Of the node in the file ``filename``, if one is given, it keeps the steps, together with the steps of ``several``.
     """
 
     def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str, ros: Ros, several: bool) -> None:

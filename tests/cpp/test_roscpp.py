@@ -14,7 +14,7 @@ from cpp_scenarios import FOLDER, SECONDS, compared, recorded, words
 from tree import ROOT
 
 from rosspin import NotSimulated, TimeStandsStill, simulate
-from rosspin.cpp import program
+from rosspin.cpp import nodejs
 from rosspin.results.recordings import load
 
 Write = Callable[[str, str], Path]
@@ -169,19 +169,81 @@ def test_a_subscriber_may_name_its_message(write: Write) -> None:
 
 def test_a_process_that_has_run_a_node_runs_the_next_one() -> None:
     runs = [simulate(PROBE, 2.0, [f"_period:={period}"]) for period in (0.5, 0.25, 0.5)]
-    (child,) = program._idle
+    (child,) = nodejs._idle
     child.kill()
     child.wait()
     runs.append(simulate(PROBE, 2.0, ["_period:=0.5"]))
     assert [len(run.ticks) for run in runs] == [4, 8, 4, 4]
-    assert runs[0] == runs[2] == runs[3] and program._idle != [child]
+    assert runs[0] == runs[2] == runs[3] and nodejs._idle != [child]
+
+
+@pytest.mark.parametrize("work", ["", "count = ros::Time::now().toSec();", "ros::WallDuration(0.0).sleep();"])
+def test_a_loop_that_never_sleeps_passes_the_time(write: Write, work: str) -> None:
+    """On a computer it keeps a core busy, and is told its messages nevertheless: here to look takes time."""
+    text = NAMED.replace("ros::spin();", f"double count;\n  while (ros::ok()) {{ ros::spinOnce(); {work} }}")
+    run = simulate(write(text, "node.cpp"), 2.0)
+    assert run.console.splitlines() == ["member 5", "constant 5", "free 5", "member 5"]
+    assert run.status == 0
+
+
+def test_the_clock_is_read_until_a_time(write: Write) -> None:
+    """A wait by looking ends late by a thousandth of its length at most, and by 1 ms."""
+    body = """\
+  ros::init(argc, argv, "node");
+  ros::NodeHandle nh;
+  for (double length : {0.005, 0.5, 5.0})
+  {
+    ros::Time begun = ros::Time::now();
+    while (ros::Time::now() < begun + ros::Duration(length)) {}
+    std::printf("%.9f\\n", (ros::Time::now() - begun).toSec() / length - 1);
+    ros::Duration(0.1).sleep();
+  }
+"""
+    node = write(f'#include "ros/ros.h"\nint main(int argc, char** argv)\n{{\n{body}}}\n', "node.cpp")
+    late = [float(line) for line in simulate(node, 8.0).console.splitlines()]
+    assert len(late) == 3 and all(0 <= each <= 2e-3 for each in late)
+
+
+GXX = """\
+#include <bits/stdc++.h>
+#include <ros/ros.h>
+bool asked(uint number)
+{
+  std::printf("asked %u\\n", number);
+}
+int main(int argc, char** argv)
+{
+  double wide = argc;
+  float narrow[] = {wide, 2 * wide};
+  register int count = 3;
+  asked(count);
+  std::printf("%.1f\\n", narrow[1]);
+}
+"""
+
+
+def test_what_gxx_lets_pass_is_let_pass(write: Write) -> None:
+    """It warns of what narrows, of a register and of a lacking return; run on Debian, built by catkin_make."""
+    assert simulate(write(GXX, "node.cpp"), 1.0).console == "asked 3\n2.0\n"
 
 
 def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosspin.cpp.program._MOST", 0.5)
+    monkeypatch.setattr("rosspin.cpp.nodejs._MOST", 0.5)
     node = write('#include "ros/ros.h"\nint main()\n{\n  for (volatile int i = 0;; i++) {}\n}\n', "node.cpp")
     with pytest.raises(TimeStandsStill, match=r"node\.cpp: simulated time stands still at 0\.0 s, because the node"):
         simulate(node, 1.0)
+
+
+# Two timers that are due 0.1 s apart, and how long a callback takes.
+ASYNC = """
+  ros::init(argc, argv, "node");
+  ros::NodeHandle nh;
+  auto callback = [](const ros::TimerEvent&) {{ ros::Duration({length}).sleep(); }};
+  ros::Timer one = nh.createTimer(ros::Duration(0.5), callback), two = nh.createTimer(ros::Duration(0.6), callback);
+  ros::AsyncSpinner spinner({threads});
+  spinner.start();
+  {main};
+"""
 
 
 @pytest.mark.parametrize(
@@ -194,7 +256,16 @@ def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.Mo
             'ros::init(argc, argv, "node"); ros::NodeHandle().advertiseService("name", main);',
             "ros::NodeHandle::advertiseService",
         ),
-        ('"ros/ros.h"', "ros::AsyncSpinner spinner(2);", "ros::AsyncSpinner"),
+        (
+            '"ros/ros.h"',
+            ASYNC.format(threads=1, length=0.7, main="ros::Duration(0.6).sleep()"),
+            "ros::AsyncSpinner with a callback that sleeps while the main thread goes on",
+        ),
+        (
+            '"ros/ros.h"',
+            ASYNC.format(threads=2, length=0.3, main="ros::waitForShutdown()"),
+            "ros::AsyncSpinner with two threads at work at the same time",
+        ),
     ],
 )
 def test_what_has_no_stand_in_is_named(write: Write, include: str, body: str, name: str) -> None:

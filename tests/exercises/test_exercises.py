@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import io
 import re
 import subprocess
 import sys
-from contextlib import redirect_stdout
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -18,17 +17,15 @@ from answers import (
     NAMES,
     NOTEBOOKS,
     ON_PAGE,
-    PAGES,
     RIGHT,
     WRONG,
     answer_in,
     late_listener,
+    listings,
     number_of,
-    section,
     solution_of,
     written,
 )
-from answers_ros1 import Answer
 from IPython.core.error import UsageError
 from IPython.core.interactiveshell import InteractiveShell
 from python_texts import of_any_python
@@ -36,21 +33,14 @@ from tree import ROOT
 
 from rosspin import Run, explore, simulate
 from rosspin.exercises import EXERCISES, check
-from rosspin.measures import periods
+from rosspin.exercises.own import Answer, name_the_fault, rostopic_hz
+from rosspin.measures import periods, topic_ticks
+from rosspin.measures import rostopic_hz as rostopic_hz_of
 from rosspin.results.console import read_ticks
 from rosspin.results.recordings import load
 
-IN_PARTS = [exercise for exercise in EXERCISES if exercise.part]  # the others are a file each
-
-
-@pytest.mark.parametrize("name", [name for name in NAMES if name not in FILES])
-def test_there_is_a_start_and_a_folded_solution(name: str) -> None:
-    start, solution = CELLS[name]
-    assert start.metadata["tags"] == ["live"]  # it can be run in the page
-    assert solution.metadata["tags"] == ["hide-cell"]
-    assert solution.metadata["jupyter"] == {"source_hidden": True, "outputs_hidden": True}
-    assert solution.metadata["mystnb"]["code_prompt_show"] == f"Show the solution of exercise {number_of(name)}"
-    assert solution.metadata["mystnb"]["code_prompt_hide"] == f"Hide the solution of exercise {number_of(name)}"
+IN_PARTS = [exercise for exercise in EXERCISES if exercise.part]
+PAGES = {ros: notebook.read_text(encoding="utf-8") for ros, notebook in NOTEBOOKS.items()}
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -88,6 +78,14 @@ def test_wrong_answer_is_told_what_is_wrong_and_how_to_go_on(
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_a_node_of_the_other_ros_is_told_so(name: str) -> None:
+    ros, other, root = (1, 2, "rclpy") if name in ON_PAGE[1] else (2, 1, "rospy")
+    feedback = check(name, f"import {root}\n{root}.spin()\n")
+    assert f"This node is for ROS {other}: it imports `{root}`." in repr(feedback)
+    assert feedback.hint.startswith(f"This exercise is on ROS {ros}")
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_every_exercise_has_answers_enough(name: str) -> None:
     assert len(RIGHT[name]) >= 5
     assert len(WRONG[name]) >= 8
@@ -97,20 +95,19 @@ def test_every_exercise_has_answers_enough(name: str) -> None:
 
 
 def test_exercises_are_what_the_page_says() -> None:
-    """Each has its number, its title and links to the pages that it needs, and stands in its part."""
+    """Each has its number and its title, stands in its part, and links to the pages that it needs."""
     of: dict[tuple[int, str], str] = {}
     for ros, page in PAGES.items():
         parts = re.split(r"^## (.*)$", page, flags=re.MULTILINE)
         of |= {(ros, part): text for part, text in zip(parts[1::2], parts[2::2], strict=True)}
     for exercise in IN_PARTS:
-        ros = exercise.ros
-        assert f"### {exercise.number}. {exercise.title}\n" in of[ros, exercise.part]
-        text = section(exercise.name)
-        line = re.search(r"\*\*You need\*\*:(.*?)\n\n", text, re.DOTALL)
-        assert line
-        linked = [(NOTEBOOKS[ros].parent / path).resolve() for path in re.findall(r"\]\((.*?)\)", line[1])]
-        assert [path.relative_to(ROOT).with_suffix("").as_posix() for path in linked] == list(exercise.needs)
-        assert all(path.exists() for path in linked)
+        below = of[exercise.ros, exercise.part].partition(f"### {exercise.number}. {exercise.title}\n")[2]
+        below = below.partition("\n###")[0]
+        assert f"\n%answer {exercise.name}\n" in below and f"```{{exercise}} {exercise.name}\n:solution:\n" in below
+        assert FILES[exercise.name].text.startswith("**You need**: ")
+        assert exercise.needs
+        for path in exercise.needs:
+            assert (ROOT / f"{path}.rst").exists() or (ROOT / f"{path}.md").exists()
 
 
 @pytest.mark.parametrize("ros", NOTEBOOKS)
@@ -160,37 +157,28 @@ def test_an_exercise_is_named_or_numbered() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_hints_stand_between_the_answer_and_the_solution(name: str) -> None:
-    if name in FILES:
-        assert len(FILES[name].hints) >= 3
-        return
-    between = section(name).partition(f"%%answer {name}\n")[2].partition("Show the solution")[0]
-    hints = re.findall(r"<details><summary>Hint (\d+)</summary>\n\n[^<]+\n\n</details>", between)
-    assert len(hints) >= 3
-    assert hints == [str(n) for n in range(1, len(hints) + 1)]
+def test_every_exercise_has_hints_enough(name: str) -> None:
+    assert len(FILES[name].hints) >= 3
 
 
 def test_the_pages_have_no_roles_that_only_sphinx_reads() -> None:
-    for page in PAGES.values():
+    for page in (*PAGES.values(), *(file.text + file.after for file in FILES.values())):
         assert not re.search(r"\{(term|ref|doc)\}`", page)
 
 
 @pytest.mark.parametrize(("index", "variable"), [(0, "timer"), (1, "loop"), (2, "busy_loop")])
 def test_the_nodes_to_predict_do_what_the_solution_says(index: int, variable: str, tmp_path: Path) -> None:
-    listings = re.findall(r"```python\n(.*?)```", section("first-ticks"), re.DOTALL)
-    # The third is described in words.
-    listings.append(
-        listings[1].replace("        loop_rate.sleep()", "        rospy.sleep(0.1)\n        loop_rate.sleep()")
-    )
+    nodes = listings("first-ticks")
+    nodes.append(nodes[1].replace("    loop_rate", "    rospy.sleep(0.1)\n    loop_rate"))  # described in words
     node = tmp_path / "node.py"
-    node.write_text(listings[index])
+    node.write_text(nodes[index])
     assert times_of(simulate(node, 2.0).console, 1) == pytest.approx(solution_of("first-ticks")[variable])
 
 
 @pytest.mark.parametrize("blocks_for", ["1.0", "1.8"])
 def test_the_node_with_a_slow_callback_does_what_the_solution_says(blocks_for: str, tmp_path: Path) -> None:
     node = tmp_path / "node.py"
-    node.write_text(re.findall(r"%%simulate [^\n]*\n(.*?)```", section("after-a-slow-callback"), re.DOTALL)[0])
+    node.write_text(listings("after-a-slow-callback")[0])
     console = simulate(node, 5.5, [f"_blocks_for:={blocks_for}"]).console
     assert times_of(console, 4) == pytest.approx(
         solution_of("after-a-slow-callback")[f"after_{blocks_for.replace('.', '_')}_seconds"]
@@ -208,7 +196,7 @@ def test_the_node_with_a_slow_callback_does_what_the_solution_says(blocks_for: s
 def test_the_node_of_ros_2_does_what_the_solution_says(
     variable: str, first: int, old: str, new: str, args: list[str], tmp_path: Path
 ) -> None:
-    [text] = re.findall(r"%%simulate [^\n]*\n(.*?)```", section("slow-timer"), re.DOTALL)
+    [text] = listings("slow-timer")
     assert old in text
     node = tmp_path / "node.py"
     node.write_text(text.replace(old, new) if old else text)
@@ -216,24 +204,22 @@ def test_the_node_of_ros_2_does_what_the_solution_says(
     assert [tick.real for tick in ticks][first - 1 : first + 2] == pytest.approx(solution_of("slow-timer")[variable])
 
 
-LOOP = "    while rclpy.ok():\n        time.sleep(0.1)\n"
 SPIN_IN_MAIN = "    rclpy.spin(spinner_py_node)\n"
-SPIN_ONCE = "    rclpy.spin_once(spinner_py_node)\n" + LOOP
 
 
-@pytest.mark.parametrize(("variable", "new"), [("without_spin", LOOP), ("spin_once", SPIN_ONCE)])
-def test_the_node_that_does_not_spin_does_what_the_solution_says(variable: str, new: str, tmp_path: Path) -> None:
-    [text] = re.findall(r"%%simulate [^\n]*\n(.*?)```", section("who-calls"), re.DOTALL)
-    assert new in section("who-calls") and SPIN_IN_MAIN in text
+@pytest.mark.parametrize(("index", "variable"), [(1, "without_spin"), (2, "spin_once")])
+def test_the_node_that_does_not_spin_does_what_the_solution_says(index: int, variable: str, tmp_path: Path) -> None:
+    nodes = listings("who-calls")
+    assert SPIN_IN_MAIN in nodes[0]
     node = tmp_path / "node.py"
-    node.write_text(text.replace(SPIN_IN_MAIN, new))
+    node.write_text(nodes[0].replace(SPIN_IN_MAIN, nodes[index]))
     assert [tick.real for tick in simulate(node, 2.0).ticks] == pytest.approx(solution_of("who-calls")[variable])
 
 
 @pytest.mark.parametrize(("index", "variable"), [(0, "timer"), (1, "loop")])
 def test_the_first_calls_come_when_the_solution_says(index: int, variable: str, tmp_path: Path) -> None:
     node = tmp_path / "node.py"
-    node.write_text(re.findall(r"```python\n(.*?)```", section("first-call"), re.DOTALL)[index])
+    node.write_text(listings("first-call")[index])
     assert times_of(simulate(node, 2.0).console, 1) == pytest.approx(solution_of("first-call")[variable])
 
 
@@ -263,7 +249,7 @@ AT_ONCE = "        self.timerCallback(None)\n"
 def test_the_node_that_publishes_at_once_does_what_the_solution_says(
     variable: str, old: str, new: str, tmp_path: Path
 ) -> None:
-    [text] = re.findall(r"```python\n(.*?)```", section("what-is-heard"), re.DOTALL)
+    [text] = listings("what-is-heard")
     subscriber = '        rospy.Subscriber("counter", UInt32, self.counterCallback)\n'
     old, new = (part.replace("<SUB>", subscriber) for part in (old, new))
     assert old in text
@@ -306,16 +292,48 @@ def test_roscpp_gives_what_the_solution_says(variable: str, blocks_for: float) -
     assert [tick.real for tick in ticks[3:6]] == pytest.approx(solution_of("cpp-ticks")[variable])
 
 
-def test_the_reports_of_rostopic_hz_are_of_what_the_solution_says() -> None:
-    [code] = re.findall(
-        r"```\{code-cell\} ipython3\n---\n.*?\n---\n(from rosspin import.*?)```", section("rostopic-hz"), re.DOTALL
-    )
-    names: dict[str, Any] = {}
-    with redirect_stdout(io.StringIO()):
-        exec(code, names)
-    steps = {name: [round(step, 3) for step in periods(ticks)] for name, ticks in names["reports"].items()}
+@pytest.mark.parametrize("name", name_the_fault.LOGS)
+def test_a_log_with_a_fault_is_that_of_a_run(name: str, tmp_path: Path) -> None:
+    seconds, text = name_the_fault.LOGS[name]
+    node = tmp_path / "spinner_py_node.py"
+    node.write_text(text)
+    console = re.sub(r"\n[ ~^]+\n", "\n", simulate(node, seconds).console).replace(str(node), node.name)
+    assert console in listings("name-the-fault", "text")
+
+
+def publishing(pauses: list[float], offset: float | None) -> Callable[[], None]:
+    """A node that publishes a message before each pause (s), in a second thread as well after an offset (s)."""
+
+    def node() -> None:
+        import threading
+
+        import rospy  # type: ignore[import-not-found]
+        from std_msgs.msg import UInt32
+
+        def publish(start: float) -> None:
+            rospy.sleep(start)
+            for pause in pauses:
+                publisher.publish(0)
+                rospy.sleep(pause)
+
+        rospy.init_node("a_node")
+        publisher = rospy.Publisher("counter", UInt32, queue_size=10)
+        rospy.sleep(0.5)
+        if offset is not None:
+            threading.Thread(target=publish, args=(offset,), daemon=True).start()
+        publish(0)
+
+    return node
+
+
+@pytest.mark.parametrize("name", rostopic_hz.PAUSES)
+def test_a_report_of_rostopic_hz_is_of_a_run_and_of_what_the_solution_says(name: str) -> None:
+    ticks = topic_ticks(simulate(publishing(*rostopic_hz.PAUSES[name]), 60.6).messages, "/counter")
+    until = {seconds: [tick for tick in ticks if tick.real <= ticks[0].real + seconds] for seconds in (10, 60)}
+    said = [f"after {seconds} s: {rostopic_hz_of(seen)}\n" for seconds, seen in until.items()]
+    assert f"{name}\n{''.join(said)}".expandtabs(4) in listings("rostopic-hz", "text")[0]
     solution: Any = solution_of("rostopic-hz")
-    assert {name: solution[name] for name in steps} == {name: cause_of(times) for name, times in steps.items()}
+    assert solution[name] == cause_of([round(step, 3) for step in periods(ticks)])
 
 
 def cause_of(steps: list[float]) -> str:
@@ -619,7 +637,7 @@ def test_the_magic_needs_the_name_of_an_exercise(shell: InteractiveShell, line: 
 
 def test_the_order_of_the_solution_is_one_that_exploring_finds(tmp_path: Path) -> None:
     node = tmp_path / "parts.py"
-    node.write_text(section("find-the-order").partition("%%simulate 0.6\n")[2].partition("```")[0], encoding="utf-8")
+    node.write_text(listings("find-the-order")[0], encoding="utf-8")
     lines = node.read_text(encoding="utf-8").splitlines()
     first = lines.index("        parts = self.parts") + 1
     usual = simulate(str(node), 0.6)

@@ -98,7 +98,7 @@ def test_it_is_said_first_and_in_each_row_that_answers_were_not_sealed() -> None
 def test_it_is_said_that_a_newer_python_reads_more(monkeypatch: pytest.MonkeyPatch) -> None:
     found = a_class(("a", {"slow-timer": told("not yet", why="Line 1 is not Python: invalid syntax.")}))
     monkeypatch.setattr(sys, "version_info", (3, 11, 2))
-    said = "1 answer is no Python to this Python 3.11; that of the page is 3.14, and newer ones read more."
+    said = "1 answer is no Python to this Python 3.11; the page's is 3.14, and newer ones read more."
     assert say_python(found) == said
     monkeypatch.setattr(sys, "version_info", (3, 14, 0))
     assert say_python(found) == ""

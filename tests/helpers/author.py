@@ -20,8 +20,7 @@ COMMANDS = re.findall(r"^ +\$ (.*)", HOW_TO, re.MULTILINE)
 def copied(folder: Path, pages: Collection[str] = ()) -> Path:
     """A copy of what git tracks, as an author has it, in a folder; to be quick, with no other pages than these.
 
-    Two notebooks are run, and measure for a moment; of a few pages only the one that needs no real clock. What the
-    others answer to exercises stays there as text.
+    Two notebooks are run, and measure for a moment; of a few pages only the one that needs no real clock.
     """
     folder /= "rosspin"
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
@@ -49,12 +48,8 @@ def copied(folder: Path, pages: Collection[str] = ()) -> Path:
 
 
 def without_runs(notebook: str) -> str:
-    """A notebook without its cells, but for what they answer to exercises, as text."""
-
-    def not_run(cell: re.Match[str]) -> str:
-        return cell[0].replace("{code-cell} ipython3", "text", 1) if "\n%%answer " in cell[0] else ""
-
-    return re.sub(r"^```\{code-cell\}(.*\n)*?```\n", not_run, notebook, flags=re.MULTILINE)
+    """A notebook without its cells."""
+    return re.sub(r"^```\{code-cell\}(.*\n)*?```\n", "", notebook, flags=re.MULTILINE)
 
 
 def typed(command: str, tree: Path) -> subprocess.CompletedProcess[str]:
@@ -112,12 +107,12 @@ def go_the_way(tree: Path, runs_timer: bool) -> str:
     line = lines.index("   [INFO] [0.500000]: [SPINNER PY NODE] counter = 1")  # the output begins one line above
     entry = entry_of(listed, f"docs/tutorial.rst:{line} (make outputs)\n")
     assert "   docs/tutorial.rst:LINE (make outputs)\n" in HOW_TO
-    assert re.search(r"stands (.*\n)+.*\[1\.500000\]: .* counter = 3\n", entry)
+    assert re.search(r"was (.*\n)+.*\[1\.500000\]: .* counter = 3\n", entry)
     assert re.search(r"now (.*\n)+.*\[1\.200000\]: .* counter = 3\n", entry)
     fact = entry_of(listed, f"docs/tutorial.rst:{lines.index('   assert period == 0.5') + 1}\n")
     assert re.search(r"text +Write two small ROS 1 nodes.* twice a second", fact) and "now     period is 0.4" in fact
     cell = entry_of(listed, "notebooks/rate.md:")
-    assert "stands  assert" in cell and "(0.0, 0.4)" in cell
+    assert "was     assert" in cell and "(0.0, 0.4)" in cell
     assert re.search(r"^notebooks/timer\.md:\d+ \(make", listed, re.MULTILINE)
 
     # The outputs are written, and what is left is the author's.

@@ -9,7 +9,7 @@ import shutil
 import tempfile
 from pathlib import Path
 
-from answers import section
+from answers import listings
 from tree import ROOT
 
 from rosspin.real.ros1 import Workspace
@@ -27,7 +27,7 @@ def _variants() -> dict[str, str]:
     locked = (EXAMPLES / "threads/locked_cpp_node.cpp").read_text(encoding="utf-8")
     torn = re.sub(r".*\b(lock_guard|std::mutex)\b.*\n", "", locked)
     assert torn.count("\n") == locked.count("\n") - 3
-    [kept] = re.findall(r"```cpp\n(.*?)```", section("cpp-ticks"), re.DOTALL)
+    [kept] = listings("cpp-ticks", "cpp")
     variants = {
         # Two lines as the original page has them.
         "while_ros_ok": rate.replace("while (ros::ok())", "while (ros::ok)"),

@@ -160,7 +160,6 @@ FIGURES = [
     Kind("docs/tutorial.html", 0, "Time delta", spinner(SPINNER, "timerCallback")),
     Kind("notebooks/rate.html", 0, "Work in each pass", loops),
     Kind("notebooks/slow-callback.html", 0, "The third call takes", three("block_call:=3", seconds=6.2)),
-    Kind("notebooks/slow-callback.html", 1, "Every call takes", three(seconds=6.2)),
     Kind("notebooks/ros2-rate.html", 0, "Work in each pass", ros2_loops),
     Kind("notebooks/ros2-executors.html", 0, "Work of the slow timer", executors),
     Kind("docs/how-timing-works.html", 0, "Every call takes", probes(seconds=6)),

@@ -26,7 +26,7 @@ LISTINGS = [
 
 TIMER, RATE = 3, 4
 
-IN_PYTHON = "div.live:not(.highlight-cpp)"
+IN_PYTHON = "div.live:not(.highlight-cpp, .highlight-xml)"
 
 ROS2 = [
     EXAMPLES / "my_robotics_pkg_ros2" / "my_robotics_pkg" / f"spinner_{name}py_node.py"
@@ -46,7 +46,7 @@ class Cell:
         self.editor = self.element.get_by_role("textbox", name="Code of")
 
     def button(self, name: str) -> Locator:
-        return self.element.get_by_role("button", name=re.compile(f"^{name} (?!both )"))
+        return self.element.get_by_role("button", name=re.compile(f"^{name} (?!both |with )"))
 
     def run(self, seconds: float = 2, speed: str = "instantly") -> None:
         self.element.get_by_role("spinbutton").fill(str(seconds))
@@ -78,9 +78,15 @@ def open_exercise(page: Page, address: str, name: str, anchor: str = "") -> Cell
     return Cell(page, 0, f"div.live:has([aria-label='Run answer {name}'])")
 
 
+def unfold(page: Page) -> None:
+    """Open what is folded."""
+    page.locator("details").evaluate_all("all => all.forEach((each) => (each.open = true))")
+
+
 def open_tutorial(page: Page, address: str) -> None:
     page.goto(address + TUTORIAL)
     page.locator(".sd-tab-label", has_text="Python").first.click()
+    unfold(page)
 
 
 def have_workers(page: Page, count: int) -> None:

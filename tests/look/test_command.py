@@ -34,7 +34,7 @@ entries    rate   period  late, 98%  missing  line
 A slow callback that blocks its neighbours (sure)
   “base: odometry: #” and “base: battery: #” were silent 10 times, for up to 0.429 s.
   “base: map: #” came just before 10 of these 10.
-  While that callback works, those of the same thread or group wait.
+  While that callback works, the others of its thread or group wait.
   See docs/how-to/look-at-your-log.html#look-blocked
 """,
         "",

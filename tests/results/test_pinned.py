@@ -54,15 +54,22 @@ def test_the_text_is_not_in_the_encoding_that_it_tells_of(
     pinned(monkeypatch, tmp_path, f"{first}print('ä → ß')\n")
 
 
-@pytest.mark.parametrize("node", ["my_robotics_pkg/src/spinner_rate", "my_robotics_pkg_ros2/my_robotics_pkg/spinner"])
+@pytest.mark.parametrize(
+    "node",
+    [
+        *("my_robotics_pkg/src/spinner_rate_py_node.py", "my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"),
+        *("my_robotics_pkg/src/spinner_cpp_node.cpp", "my_robotics_pkg_ros2_cpp/src/spinner_cpp_node.cpp"),
+    ],
+)
 def test_another_period_is_found(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, node: str) -> None:
-    path = EXAMPLES / f"{node}_py_node.py"
+    path = EXAMPLES / node
     run, source = simulate(path, 2), path.read_text(encoding="utf-8")
     names: dict[str, Any] = {}
-    exec(as_test(source, path.name, 2.0, [], run.console, run.ticks), names)
+    console = re.sub(r"\x1b\[[\d;]*m", "", run.console)  # as a page shows it
+    exec(as_test(source, path.name, 2.0, [], console, run.ticks), names)
     test = names[f"test_{path.stem}"]
     test(tmp_path, monkeypatch)
-    names["NODE"] = re.sub(r"(timer_delta_t_in_seconds|loop_frequency_in_hz) = [\d.]+", r"\1 = 0.25", source)
+    names["NODE"] = re.sub(r"((?:timer_delta_t_in_seconds|loop_frequency_in_hz)(?: = |\())[\d.]+", r"\g<1>0.25", source)
     assert names["NODE"] != source
     with pytest.raises(AssertionError):
         test(tmp_path, monkeypatch)

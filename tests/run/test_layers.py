@@ -26,6 +26,7 @@ LAYERS = [
     "filters",
     "rospy",
     "rclpy",
+    "programs",
     "cpp",
     "run",
     "orders",

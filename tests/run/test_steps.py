@@ -370,7 +370,7 @@ def test_wrong_calls_are_errors_and_do_nothing() -> None:
             node.call("drive", data="yes")
         with pytest.raises(LookupError, match="there is no service std_srvs/Nothing"):
             node.serve("open", "std_srvs/Nothing", lambda request: None)
-        with pytest.raises(LookupError, match="only those of ROS 2 are simulated"):
+        with pytest.raises(LookupError, match="only ROS 2's are simulated"):
             node.send_goal("drive", order=3)
         assert not node.advance(0.5).calls
 

@@ -531,6 +531,60 @@ std::map<std::string, Scenario> scenarios()
     ROS_DEBUG_STREAM("shown now");
   };
 
+  // --- spinners ---
+
+  all["async_spinner"] = [](NodeHandle& nh)
+  {
+    ros::Timer timer = nh.createTimer(Duration(0.5), [](const TimerEvent&) { say("timer"); });
+    ros::Publisher publisher = nh.advertise<std_msgs::UInt32>("topic", 10);
+    ros::Subscriber subscriber = nh.subscribe("topic", 10, hear);
+    work(0.6);
+    ros::AsyncSpinner spinner(2);
+    say("starts " + shown(spinner.canStart()));
+    spinner.start();
+    for (unsigned each = 1; each < 3; each++)
+    {
+      publisher.publish(number(each));
+      Duration(0.3).sleep();
+      say("main");
+    }
+    spinner.stop();
+    ros::waitForShutdown();
+  };
+  all["async_spinner_sleeps"] = [](NodeHandle& nh)
+  {
+    ros::Timer timer = nh.createTimer(Duration(0.5), [](const TimerEvent&)
+        {
+          say("timer");
+          work(0.7);
+          say("done");
+        });
+    ros::AsyncSpinner spinner(1);
+    spinner.start();
+    ros::waitForShutdown();
+  };
+  all["multi_threaded_spinner"] = [](NodeHandle& nh)
+  {
+    ros::Timer one = nh.createTimer(Duration(0.5), [](const TimerEvent&) { say("one"); });
+    ros::Timer two = nh.createTimer(Duration(0.7), [](const TimerEvent&) { say("two"); });
+    ros::MultiThreadedSpinner spinner(2);
+    ros::spin(spinner);
+    say("over");
+  };
+  all["two_spinners"] = [](NodeHandle&)
+  {
+    ros::AsyncSpinner spinner(1);
+    spinner.start();
+    try
+    {
+      ros::spin();
+    }
+    catch (const std::runtime_error& error)
+    {
+      say(error.what());
+    }
+  };
+
   // --- topics ---
 
   all["publish"] = [](NodeHandle& nh)

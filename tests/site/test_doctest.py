@@ -103,7 +103,7 @@ def test_the_list_says_where_what_stands_and_what_is_so_now(
     assert len(entries) == len(PAGES) * len(LIES) + 1
     for (page, number), entry in entries.items():
         line = (lying / page).read_text().splitlines()[number - 1].strip()
-        stands = re.search(r"^  stands  (.*)", entry, re.MULTILINE)
+        stands = re.search(r"^  was     (.*)", entry, re.MULTILINE)
         assert stands and (stands[1].strip() == line or "(make outputs)" not in entry), entry
     marked = [entry for entry in entries.values() if "(make outputs)" in entry]
     assert len(marked) == len(PAGES) * (len(LIES) - len(NOT_WRITTEN)) + 1

@@ -1,6 +1,7 @@
 // A listing that can be edited and run: its buttons, its status line, what its runs show.
 
 import { Console } from "./console.js"
+import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { Kept } from "./kept.js"
 import { find, make } from "./make.js"
 import { IS_IT_THERE, load, start, warmUp } from "./python.js"
@@ -17,7 +18,7 @@ const CLANG = "To run a change, this page loads clang once: about 40 MB, which y
 const SEE_CONSOLE = "error: see the console"
 
 /** What a node has in it that reads its command line. */
-const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameters?|argv)\b/
+const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameters?|argv)\b|<arg /
 const READS_ARGUMENTS_IN_CPP = /\bgetParam|\bparam(<\w+>)?\(|\bparam::|\bdeclare_parameters?\b/
 
 /** @type {Record<string, string>} an example of how a parameter is set, by what a node of that ROS has in it */
@@ -38,14 +39,21 @@ const isSolved = (/** @type {string} */ name) => window.rosspinStore?.of(name).w
 /** How many of them are solved. */
 const progress = () => `${[...exercises].filter(isSolved).length} of ${exercises.size}`
 
-/** @type {Cell[]} those whose nodes run together, if the reader wants it: the first two, the next two, and so on */
-const together = []
+/** @type {Cell[]} all of the page */
+const cells = []
+
+/**
+ * Those whose nodes run together, if the reader wants it, in Python and in C++: the first two, the next two, and so on.
+ *
+ * @type {[Cell[], Cell[]]}
+ */
+const together = [[], []]
 
 /** Under this and the path of a page, how many of its exercises are solved. */
 const PROGRESS = "rosspin:progress:"
 
 /**
- * Say on a list of exercises, and on their pages, which are solved, and how many; the latter on every page, too, beside
+ * Say on a list of exercises, and on their pages, which are solved, and how many; the latter on every page, too, next to
  * the links to such lists. What leads on from an exercise is shown once that is solved.
  */
 export function showProgress() {
@@ -76,7 +84,7 @@ export function showProgress() {
 }
 
 /**
- * Say beside an element how many exercises of a page are solved, if that is known.
+ * Say next to an element how many exercises of a page are solved, if that is known.
  *
  * @param {HTMLElement} place
  * @param {string} page
@@ -87,7 +95,7 @@ function sayProgress(place, page) {
 }
 
 /**
- * The plot that stands below a listing since the site was built.
+ * The plot below a listing from when the site was built.
  *
  * @param {HTMLElement} listing
  */
@@ -114,7 +122,10 @@ export class Cell {
   /** @type {Keeping | null} */
   #own = null // what the reader has written, while the other is shown
   #name
+  /** @type {string} */
   #program // of a node in C++: the SHA-256 of what was compiled with the page; else ""
+  /** @type {string} */
+  #launch // of a launch file: the SHA-256 of what it starts; else ""
   #simulates // whether its first line says for how long it runs
   /** @type {import("./plot.js").Plot | null} */
   #plot = null // of what runs have done, from the first one on
@@ -126,6 +137,7 @@ export class Cell {
   #pinned = null // what the last run showed, if a test can pin it
   #ran = "" // what the last run ran
   #hasRun = false // whether what a run has shown, maybe nothing, is there still
+  #offerBoth = () => {} // shows the buttons for running with another one
   #endSteps = () => {} // takes away what goes through it step by step
   /** @type {import("./editor.js").Editor | null} */
   #editor = null
@@ -145,6 +157,7 @@ export class Cell {
     this.#original = /** @type {string} */ (this.#pre.textContent)
     this.#highlighted = [...this.#pre.childNodes]
     this.#program = listing.className.match(/\bprogram-([\da-f]{64})\b/)?.[1] ?? ""
+    this.#launch = listing.className.match(/\blaunch-([\da-f]{64})\b/)?.[1] ?? ""
     const caption = listing.parentElement?.querySelector(".code-block-caption .caption-text")
     this.exercise = this.#original.match(/^%%answer (\S+)/)?.[1] ?? "" // that it answers; a text is then checked rather than run
     this.#simulates = /^%%(simulate|drive) /.test(this.#original)
@@ -152,7 +165,7 @@ export class Cell {
     const answer = this.exercise && window.rosspinStore?.of(this.exercise)
     this.#kept = answer || new Kept(`${location.pathname}:${index}`, this.#original)
     this.#kept.changed = (said) => this.#own || this.#follow(said)
-    this.#name = this.exercise ? `answer ${this.exercise}` : (caption?.textContent ?? "node.py").trim().replace(/.*\//, "")
+    this.#name = this.exercise ? `answer ${this.exercise}` : (caption?.textContent ?? `node.${this.isCpp ? "cpp" : "py"}`).trim().replace(/.*\//, "")
     this.#output = listing.closest(".cell")?.querySelector(".cell_output")
     this.#made = made(listing)
     const button = (/** @type {string} */ text, /** @type {() => void} */ act) => {
@@ -161,11 +174,26 @@ export class Cell {
       return element
     }
     this.run = button("Run", () => this.#run())
-    for (const sign of ["pointerenter", "focus"]) this.run.addEventListener(sign, () => this.#warmUp())
-    const first = together.length & ~1
-    this.both = button("Run both", () => this.#run(together.slice(first, first + 2)))
-    this.both.hidden = !listing.matches(".together")
-    if (!this.both.hidden) together.push(this)
+    const own = Number(this.isCpp)
+    const place = together[own].length
+    const partners = () => [own, 1 - own].map((language) => together[language][place ^ 1])
+    this.both = button("Run both", () => this.#run(partners()[0]))
+    this.mixed = button(this.isCpp ? "Run with Python" : "Run with C++", () => this.#run(partners()[1]))
+    this.both.hidden = this.mixed.hidden = true
+    this.#offerBoth = () => {
+      const [same, other] = partners()
+      this.both.hidden = !same
+      this.mixed.hidden = !other
+      if (other) this.mixed.title = `Run ${this.#name} together with ${other.#name}`
+    }
+    for (const sign of ["pointerenter", "focus"]) {
+      this.run.addEventListener(sign, () => this.#warmUp())
+      for (const pair of [this.both, this.mixed]) pair.addEventListener(sign, () => warmUp(this.#base, false, ""))
+    }
+    if (listing.matches(".together")) {
+      together[own].push(this)
+      for (const cell of together.flat()) cell.#offerBoth()
+    }
     this.stop = button("Stop", () => this.#stop())
     this.edit = button("Edit", () => this.#edit())
     this.reset = button("Reset", () => this.#reset())
@@ -194,13 +222,14 @@ export class Cell {
     listing.append(...this.#arranged())
     this.#pre.addEventListener("click", () => getSelection()?.isCollapsed && this.#edit())
     if (answer) exercises.add(this.exercise)
+    cells.push(this)
     this.#showKept()
   }
 
-  /** What the reader can press, which stays in view beside a long listing, and what comes of it. */
+  /** What the reader can press, which stays in view next to a long listing, and what comes of it. */
   #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
-    bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
+    bar.append(this.run, this.both, this.mixed, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
     const isNode = !this.exercise && !this.#simulates
     if (isNode) bar.append(make("label", {}, this.seconds, " s"))
     if (!this.exercise) bar.append(this.speed)
@@ -211,7 +240,7 @@ export class Cell {
     return [bar, make("div", { className: "live-cell" }, ...parts, ...onward)]
   }
 
-  /** Show what came of a run to a reader who has pressed Run beside a listing that ends farther down. */
+  /** Show what came of a run to a reader who has pressed Run next to a listing that ends farther down. */
   #reveal() {
     const { bottom } = /** @type {HTMLElement} */ (this.run.parentElement).getBoundingClientRect()
     const isStuck = bottom > innerHeight - 1 && bottom < innerHeight + 1
@@ -221,6 +250,11 @@ export class Cell {
   /** Whether it is in C++. */
   get isCpp() {
     return this.#program !== ""
+  }
+
+  /** @type {import("./editor.js").Language} */
+  get language() {
+    return this.isCpp ? "cpp" : this.#launch ? "xml" : "python"
   }
 
   /** The text as it is now. */
@@ -254,7 +288,7 @@ export class Cell {
   // --- the text ---
 
   /**
-   * Show a text in place of the one that stands there. The Copy button of the listing copies it.
+   * Show a text in place of the one that is there. The Copy button of the listing copies it.
    *
    * @param {string} text
    */
@@ -325,7 +359,7 @@ export class Cell {
       if (!loaded) return this.#say(`error: the editor could not be loaded. ${IS_IT_THERE}`)
       if (this.#editor) return
       this.#editor = loaded.open(this.#text, `Code of ${this.#name}. Escape leaves the editor.`, {
-        isCpp: this.isCpp,
+        language: this.language,
         wraps: this.#pre.className !== "",
         changed: (text) => {
           this.#show(text)
@@ -370,8 +404,8 @@ export class Cell {
   // --- links and copies ---
 
   /**
-   * Show a text that came with a link, which stands in for what is kept, and the fields beside it. It is not run. `shown`
-   * is an element with the text as it is to look.
+   * Show a text that came with a link, which stands in for what is kept, and the fields next to it. It is not run. `shown`
+   * is an element with the text as it should look.
    *
    * @param {{kept: Keeping, seconds: number, args: string, notice: string, shown: HTMLElement}} received
    */
@@ -388,6 +422,8 @@ export class Cell {
       this.#pre.replaceChildren(...shown.childNodes)
       this.#pre.className = shown.className
     }
+    const fold = this.#pre.closest("details")
+    if (fold) fold.open = true
     this.notice.scrollIntoView({ block: "center" })
   }
 
@@ -457,13 +493,15 @@ export class Cell {
     warmUp(this.#base, this.exercise !== "", this.#program)
   }
 
-  /** @type {import("./protocol.js").Beside} */
-  get #beside() {
-    return [this.#text, this.#name, this.args.value]
+  /** @type {import("./runs.js").Node} */
+  get #node() {
+    const source = this.#text
+    const ros = !this.isCpp ? 0 : /\brclcpp\//.test(source) ? 2 : 1
+    return { source, filename: this.#name, args: this.args.value, program: source === this.#original ? this.#program : "", ros }
   }
 
-  /** @param {Cell[]} [others] whose nodes run with this one's */
-  async #run(others = []) {
+  /** @param {Cell} [other] whose node runs with this one's */
+  async #run(other) {
     this.#end()
     const number = ++this.#runs
     const seconds = this.seconds.valueAsNumber
@@ -471,19 +509,21 @@ export class Cell {
     if (!this.seconds.checkValidity() || !(seconds >= 0)) {
       return this.#say("error: seconds must be a number from 0 to 3600")
     }
-    const [source, filename, args] = this.#beside
-    this.#ran = source
-    const beside = others.filter((other) => other !== this).map((other) => other.#beside)
-    const program = { program: source === this.#original ? this.#program : "", ros: !this.isCpp ? 0 : /\brclcpp\//.test(source) ? 2 : 1 }
-    const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside, exercise: this.exercise, ...program }
+    if (other && !HAS_JSPI) return this.#say(`error: this browser runs one node at a time: ${LACKS_JSPI}`)
+    const node = this.#node
+    this.#ran = node.source
+    const beside = other ? [other.#node] : []
+    const launch = this.#launch
+    const listings = launch ? cells.filter(({ exercise }) => !exercise).map((cell) => ({ ...cell.#node, original: cell.#original })) : []
+    const job = { ...node, seconds, speed: Number(this.speed.value), beside, exercise: this.exercise, launch, listings }
     const hear = (/** @type {import("./runs.js").Told} */ message) => this.#hear(message, job)
     this.#expect(seconds)
     this.#worker = start(this.#base, job, (message) => number === this.#runs && hear(message))
-    this.#say(this.isCpp ? "starting" : "starting Python")
+    this.#say(this.isCpp && !other ? "starting" : "starting Python")
   }
 
   /**
-   * Have a plot ready, before anything comes of a run that is to last so long.
+   * Have a plot ready, before anything comes of a run that should last so long.
    *
    * @param {number} seconds
    */
@@ -513,7 +553,7 @@ export class Cell {
       else this.progress.value = message.share
       this.#say(message.said)
     } else if (message.kind === "faults") {
-      this.#blame(message.faults)
+      if (message.filename === this.#name) this.#blame(message.faults)
     } else if (message.kind === "batch") {
       this.console.print(message.chunks, message.leftOut)
       this.#plot?.add(message.ticks)
@@ -539,7 +579,7 @@ export class Cell {
    */
   #finish({ status, errors, count, ticks, lost, chunks, alternative, end, scenes, drive }, { source, filename, seconds, args, beside, ros }) {
     const { whole } = this.console
-    const pins = !ros && !status && !errors && !beside.length && !drive.length && count === ticks.length && whole !== null && whole.length <= LONGEST
+    const pins = !this.#launch && !status && !errors && !beside.length && !drive.length && count === ticks.length && whole !== null && whole.length <= LONGEST
     this.#pinned = pins ? { source, filename, seconds, args, console: whole, ticks } : null
     this.pin.hidden = !pins
     const none = this.#endSteps

@@ -1,10 +1,10 @@
-// Loaded when a node in C++ is to be compiled. The compiler runs in a sandbox of its own, and serves the next node, too.
+// Loaded when a node in C++ should be compiled. The compiler runs in a sandbox of its own, and serves the next node, too.
 
 import { advice, faults } from "./faults.js"
 import { Fault, loadCompiler } from "./files.js"
 import { COMPILER, Sandbox } from "./sandboxes.js"
 
-/** @typedef {import("./runs.js").Text} Text */
+/** @typedef {import("./runs.js").Node} Node */
 /** @typedef {import("./runs.js").Told} Told */
 /** @typedef {import("./runs.js").Doing} Doing */
 
@@ -20,15 +20,19 @@ function startCompiler(ros, hear) {
   compiler?.sandbox.then((sandbox) => sandbox.end(), () => {})
   const tell = (/** @type {number} */ loaded, /** @type {number} */ total) =>
     hear({ kind: "doing", said: `loading clang: ${Math.floor(loaded / 1e6)} of ${Math.ceil(total / 1e6)} MB`, share: loaded / total })
-  const sandbox = loadCompiler(ros, tell).then(async (files) => {
-    const made = new Sandbox(COMPILER)
+  const made = new Sandbox(COMPILER)
+  // It unpacks and compiles what it is given while the rest is loading.
+  const give = async (/** @type {string} */ name, /** @type {ArrayBuffer} */ bytes) => {
     const message = await made.started
     if (message.kind === "failed") throw new Fault(message.reason)
-    for (const [name, bytes] of files) made.pass(name, bytes)
-    return made
-  })
+    made.pass(name, bytes)
+  }
+  const sandbox = loadCompiler(ros, tell, give).then(() => made)
   compiler = { ros, sandbox }
-  sandbox.catch(() => (compiler = null))
+  sandbox.catch(() => {
+    made.end()
+    compiler = null
+  })
   return sandbox
 }
 
@@ -56,13 +60,13 @@ const compile = (sandbox, text, filename) =>
 /**
  * The program of a node; null: it does not compile, which is then told.
  *
- * @param {Text} job
+ * @param {Node} node
  * @param {(message: Told) => void} hear
- * @returns {Promise<{name: string, bytes: ArrayBuffer} | null>}
+ * @returns {Promise<ArrayBuffer | null>}
  */
-export async function compiled(job, hear) {
+export async function compiled(node, hear) {
   try {
-    return await compileFor(job, hear)
+    return await compileFor(node, hear)
   } catch (error) {
     hear({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED })
     return null
@@ -72,7 +76,7 @@ export async function compiled(job, hear) {
 const NOT_LOADED = "The compiler could not be loaded. Is the site still there?"
 
 /**
- * @param {Text} job
+ * @param {Node} node
  * @param {(message: Told) => void} hear
  */
 async function compileFor({ source, filename, ros }, hear) {
@@ -84,10 +88,10 @@ async function compileFor({ source, filename, ros }, hear) {
   })
   compiling = result.catch(() => {})
   const { said, program } = await result
-  if (program) return { name: "program", bytes: Uint8Array.from(atob(program), (character) => character.charCodeAt(0)).buffer }
+  if (program) return Uint8Array.from(atob(program), (character) => character.charCodeAt(0)).buffer
   const texts = [said, advice(said)].filter(Boolean)
   hear({ kind: "batch", chunks: texts.map((text, number) => [true, `${text.trimEnd()}\n`, number, 0]), leftOut: 0, ticks: [] })
-  hear({ kind: "faults", faults: faults(said, filename) })
+  hear({ kind: "faults", faults: faults(said, filename), filename })
   hear({ kind: "end", result: { ...NOTHING, ticks: [], lost: [], chunks: [], drive: [] } })
   return null
 }

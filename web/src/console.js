@@ -21,7 +21,7 @@ const LEVEL = /^\[\w+\]/
 
 /**
  * @typedef {HTMLSpanElement & {chunks: number[], size: number}} Line with the numbers of the chunks in it, and its size:
- *   how many characters it has, of which others than those of English count as several
+ *   how many characters it has; one that is not ASCII counts as several
  */
 
 const ALIEN = /[^\x00-\x7f]/g

@@ -1,7 +1,7 @@
 // A C++ node in the worker of a sandbox, without Python. It is sent one job, with the program, and says what comes of it: see
 // protocol.js.
 
-import { Alone } from "../../src/rosspin/cpp/js/alone.mjs"
+import { Alone, COLOURS } from "../../src/rosspin/cpp/js/alone.mjs"
 import { SHOWN } from "./limits.js"
 import { bySource, describe, lost } from "./measures.js"
 import { Page } from "./page.js"
@@ -19,9 +19,6 @@ const TEXT = 1_000_000
 
 /** Names are not longer (characters). */
 const NAME = 200
-
-/** The codes of a terminal for colours, which roscpp prints wherever it runs. */
-const COLOURS = /\x1b\[[\d;]*m/g
 
 /**
  * Let time (ms) pass. A browser that has nothing to sleep on computes meanwhile.

@@ -24,17 +24,20 @@ const likeTheListing = tagHighlighter([
   { tag: tags.meta, class: "nd" },
 ])
 
+/** @typedef {"python" | "cpp" | "xml"} Language XML is not coloured */
+
 /**
  * A text in pieces, each with the class of its colour.
  *
  * @param {string} text
- * @param {boolean} isCpp
+ * @param {Language} language
  */
-export function coloured(text, isCpp) {
+export function coloured(text, language) {
   /** @type {[piece: string, colour: string][]} */
   const pieces = []
   const put = (/** @type {string} */ piece, colour = "") => pieces.push([piece, colour])
-  highlightCode(text, (isCpp ? cppLanguage : pythonLanguage).parser.parse(text), likeTheListing, put, () => put("\n"))
+  if (language === "xml") put(text)
+  else highlightCode(text, { python: pythonLanguage, cpp: cppLanguage }[language].parser.parse(text), likeTheListing, put, () => put("\n"))
   return pieces
 }
 
@@ -98,10 +101,10 @@ const mark = (/** @type {string} */ character) => make("span", { className: "uns
  *
  * @param {string} text
  * @param {string} label
- * @param {{isCpp: boolean, wraps: boolean, changed: (text: string) => void, run: () => void, leave: () => void}} how
+ * @param {{language: Language, wraps: boolean, changed: (text: string) => void, run: () => void, leave: () => void}} how
  * @returns {Editor}
  */
-export function open(text, label, { isCpp, wraps, changed, run, leave }) {
+export function open(text, label, { language, wraps, changed, run, leave }) {
   const command = (/** @type {() => void} */ act) => () => {
     act()
     return true
@@ -119,8 +122,8 @@ export function open(text, label, { isCpp, wraps, changed, run, leave }) {
         ]),
         history(),
         bracketMatching(),
-        indentUnit.of(isCpp ? "  " : "    "),
-        isCpp ? cpp() : python(),
+        indentUnit.of(language === "python" ? "    " : "  "),
+        language === "cpp" ? cpp() : language === "python" ? python() : [],
         highlightSpecialChars({ specialChars: UNSEEN, render: (code) => mark(String.fromCodePoint(code)) }),
         wraps ? EditorView.lineWrapping : [],
         syntaxHighlighting(likeTheListing),

@@ -6,9 +6,9 @@ const base = new URL(".", import.meta.url)
 /** What keeps the snapshot across pages; undefined where the browser offers nothing of the kind, as without https. */
 const opening = globalThis.caches?.open("rosspin").catch(() => undefined)
 
-/** The address of a file, which says which version of it is meant. A program is named by what its SHA-256 is to be. */
+/** The address of a file, which says which version of it is meant. A program is named by what its SHA-256 should be. */
 const address = (/** @type {string} */ name) =>
-  new URL(name in FILES ? `${name}?${FILES[name].slice(0, 16)}` : `../programs/${name}.wasm.gz`, base).href
+  new URL(name in FILES ? `${name}?${FILES[name].slice(0, 16)}` : `../programs/${name}.gz`, base).href
 
 /** @param {ArrayBuffer} bytes */
 async function digest(bytes) {
@@ -81,13 +81,15 @@ async function keep(cache, bytes) {
 const KEPT = "rosspin-clang"
 
 /**
- * The files of the compiler for a ROS, by their names: from what the browser keeps, else from the site, to be kept.
- * `tell(so many bytes, of so many)` is called as they come. Fault: one is not the right one. Error: one cannot be had.
+ * Load the files of the compiler for a ROS: from what the browser keeps, else from the site, to be kept. As they come,
+ * `tell(so many bytes, of so many)` is called, and `give(name, bytes)` with each. Fault: one is not the right one. Error:
+ * one cannot be had.
  *
  * @param {number} ros
  * @param {(loaded: number, total: number) => void} tell
+ * @param {(name: string, bytes: ArrayBuffer) => Promise<void>} give
  */
-export async function loadCompiler(ros, tell) {
+export async function loadCompiler(ros, tell, give) {
   const folder = new URL("../clang/", base)
   const cache = await globalThis.caches?.open(KEPT).catch(() => undefined)
   /** @type {Part[]} */
@@ -97,8 +99,6 @@ export async function loadCompiler(ros, tell) {
   const known = new Set(all.map(({ sha256 }) => new URL(`${sha256}.gz`, folder).href))
   for (const key of (await cache?.keys()) ?? []) if (!known.has(key.url)) await cache?.delete(key)
   let loaded = 0
-  /** @type {Map<string, ArrayBuffer>} */
-  const files = new Map()
   for (const { name, sha256 } of parts) {
     const url = new URL(`${sha256}.gz`, folder).href
     const kept = await cache?.match(url)
@@ -116,9 +116,8 @@ export async function loadCompiler(ros, tell) {
       throw new Fault(wrong(name))
     }
     if (!kept) await cache?.put(url, new Response(bytes)).catch(() => {}) // there is no room for it: the next page loads it again
-    files.set(name, bytes)
+    await give(name, bytes)
   }
-  return files
 }
 
 /** The address of the page of a sandbox. */

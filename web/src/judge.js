@@ -35,7 +35,7 @@ const SIGNS = {
 
 /** @typedef {import("./table.js").Answer} Answer */
 
-/** @type {Answer | null} that of which it is shown what the checker said */
+/** @type {Answer | null} the one for which it is shown what the checker said */
 let shown = null
 
 const known = new Table((job) => ask(base, job), (...answer) => judge(base, ...answer), LANES, (answer) => {

@@ -16,8 +16,9 @@ const why = nothing || (HAS_JSPI ? "" : `This browser cannot run this listing: $
 const listings = (named) => [...document.querySelectorAll(`div.live${named}`)].filter((each) => each instanceof HTMLElement)
 /** @type {Cell[]} */
 const cells = []
-// Those in C++ have the last numbers: what is kept of others, and links to them, go by theirs.
-;[...listings(":not(.highlight-cpp)"), ...listings(".highlight-cpp")].forEach((listing, index) => {
+// Those in C++, and then launch files, have the last numbers: what is kept of others, and links to them, go by theirs.
+const kinds = [":not(.highlight-cpp, .highlight-xml)", ".highlight-cpp", ".highlight-xml"]
+kinds.flatMap(listings).forEach((listing, index) => {
   const textContent = listing.matches(".highlight-cpp") ? nothing : why
   if (textContent) listing.append(make("p", { className: "live-missing", textContent }))
   else cells[index] = new Cell(listing, index, base)

@@ -1,4 +1,4 @@
-// The memory of a Python that has started, in a file: only what is not in that of one that has not.
+// The memory of a Python that has started, in a file: only what is not in the memory of one that has not.
 
 /** Memory is compared in blocks of so many bytes, and what WebAssembly itself fills is in the first part of it. */
 const BLOCK = 1024

@@ -33,14 +33,14 @@ export class Painter {
     if (this.#isWanted) this.#ask()
   }
 
-  /** Paint immediately, if something was to be painted. */
+  /** Paint immediately, if something should be painted. */
   now() {
     if (!this.#isWanted) return
     this.#isWanted = false
     this.#paint()
   }
 
-  /** Do not paint what was to be painted. */
+  /** Do not paint what should be painted. */
   clear() {
     this.#isWanted = false
   }

@@ -24,7 +24,7 @@ export class Plot {
   /** @type {Tick[]} */
   #ticks = []
   #painter = new Painter(() => this.#paint("Timeline of a run in progress.", this.#until))
-  #seconds = 0 // that a run is to last
+  #seconds = 0 // that a run should last
   /** @type {number[][]} */
   #chunks = [] // of each tick: what it printed
   /** @type {[share: number, down: number][]} */
@@ -58,7 +58,7 @@ export class Plot {
   }
 
   /**
-   * A run begins that is to last so long.
+   * A run begins that should last so long.
    *
    * @param {number} seconds
    */

@@ -5,9 +5,10 @@ import { LONGEST, SHOWN } from "./limits.js"
 
 /**
  * What the page sends:
- * @typedef {[source: string, filename: string, args: string]} Beside a node that runs together with the node of the job
+ * @typedef {[source: string, filename: string, args: string]} Beside - a node that runs together with the job's
  * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number,
- *   beside: Beside[]}} RunJob
+ *   beside: Beside[], programs: string[], files: Record<string, string>}} RunJob programs: the names of the files, sent
+ *   before, of those in C++, packed or not; files: of a launch file, what it starts, by their paths
  * @typedef {{kind: "cpp", name: string, bytes: ArrayBuffer | null, ros: number, filename: string, seconds: number, args: string,
  *   speed: number}} CppJob to run a compiled node; bytes: its program, packed until it reaches its worker
  * @typedef {{kind: "compile", text: string, filename: string}} CompileJob
@@ -43,7 +44,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string,
  *   why: string, hint: string, drive: Drive}} JudgeResult
  * @typedef {{title: string, certain: string, evidence: string[], page: string, series: string[]}} Fault that a log shows;
- *   page: the address, below that of the site, of what explains it
+ *   page: the address, within the site, of what explains it
  * @typedef {{name: string, part: number, count: number, period: number, chosen: number, drift: number, usual: number,
  *   lost: number, times: number[], late: number[], missing: number[]}} Series in a log; usual: how late 98% are at most;
  *   period 0: it is not regular, and late is empty
@@ -86,7 +87,8 @@ import { LONGEST, SHOWN } from "./limits.js"
  *   wait(ms: number): Promise<void>,
  * }} Shown of a run, as it happens
  * @typedef {{
- *   run: Python<[source: string, filename: string, seconds: number, args: string, speed: number, beside: string, page: Shown]>,
+ *   run: Python<[source: string, filename: string, seconds: number, args: string, speed: number, beside: string, files: string,
+ *     page: Shown]>,
  *   trace: Python<[exercise: string, text: string]>,
  *   judge: Python<[exercise: string, text: string, trace: string]>,
  *   look: Python<[log: ArrayBuffer, name: string]>,
@@ -170,7 +172,7 @@ const isScenes = object({
   rings: list(object({ links: list(tuple(SENTENCE, SENTENCE), 100), to: integer(-1) }), 20),
 })
 
-/** @type {(scenes: Scenes) => boolean} whether each number in them is that of something in them */
+/** @type {(scenes: Scenes) => boolean} whether each number in them is for something in them */
 function areMatched({ threads, groups, callbacks, steps, rings }) {
   return (
     callbacks.every(([, group]) => group < (groups.length || 1)) &&

@@ -10,13 +10,17 @@ export { Sandbox }
 /**
  * @typedef {import("./protocol.js").Failed} Failed
  * @typedef {import("./protocol.js").Results} Results
- * @typedef {Omit<import("./protocol.js").RunJob, "kind"> & {exercise: string, program: string, ros: number}} Text to be run:
- *   a node, an answer to an exercise, or a node in C++, of a ROS, whose program has this SHA-256; "": it has to be compiled
+ * @typedef {{source: string, filename: string, args: string, program: string, ros: number}} Node ros: 0, or the ROS of one in
+ *   C++, whose program has this SHA-256; "": it has to be compiled
+ * @typedef {Node & {original: string}} Listing of a page, and what stood there at first
+ * @typedef {Node & {seconds: number, speed: number, exercise: string, beside: Node[], launch: string, listings: Listing[]}} Text
+ *   to be run: a node, maybe beside others, an answer to an exercise, or a launch file. What that starts has the SHA-256
+ *   `launch`, and the page has these listings
  * @typedef {{verdict: string, solved: boolean, drive: string[]}} Judged the verdict in a line; "" if there is none
  * @typedef {{kind: "doing", said: string, share: number}} Doing before it begins; share: of what there is to do, -1: unknown
- * @typedef {{kind: "faults", faults: import("./faults.js").Fault[]}} Faults in a text that does not compile
+ * @typedef {{kind: "faults", faults: import("./faults.js").Fault[], filename: string}} Faults in a text that does not compile
  * @typedef {import("./protocol.js").Word<"run"> | import("./protocol.js").End<Judged> | {kind: "begun"} | Doing | Faults} Told
- * @typedef {{end(): void}} Run that goes on
+ * @typedef {{end(): void}} Run that has begun
  */
 
 /**
@@ -66,17 +70,19 @@ class Runner {
   }
 
   /**
-   * Do a job; `hear(message)` is called with what comes of it.
+   * Do a job, which may need files; `hear(message)` is called with what comes of it.
    *
    * @template {keyof Results} K
    * @param {Extract<import("./protocol.js").Job, {kind: K}>} job
    * @param {Hear<K>} hear
+   * @param {Program[]} [files]
    */
-  async do(job, hear) {
+  async do(job, hear, files = []) {
     const message = await this.#known
     if (message.kind === "failed") return hear(message)
     if (this.#dead) return
     hear({ kind: "begun" })
+    for (const { name, bytes } of files) this.#sandbox.pass(name, bytes)
     this.#sandbox.do(job, (message) => {
       if (message.kind === "end" || message.kind === "failed") this.end() // and so does what it has started
       hear(message)
@@ -130,38 +136,72 @@ export function warmUp(answers, program) {
  * @returns {Run}
  */
 export function start(job, hear) {
-  const { exercise, program, ros, ...node } = job
-  if (exercise) return answer(exercise, job.source, hear)
-  if (ros) return runInCpp(job, hear)
-  const runner = runs.take()
-  runner.do({ kind: "run", ...node }, hear)
-  return runner
-}
-
-/**
- * @param {Text} job
- * @param {(message: Told) => void} hear
- * @returns {Run}
- */
-function runInCpp(job, hear) {
-  const { program, ros, filename, seconds, args, speed } = job
-  const runner = programs.take()
+  const { source, filename, seconds, args, speed, beside, exercise, ros, launch } = job
+  if (exercise) return answer(exercise, source, hear)
+  const isAlone = ros > 0 && !beside.length // then it needs no Python
+  const runner = (isAlone ? programs : runs).take()
   let ended = false
-  const coming = program
-    ? bring(program).then((bytes) => ({ name: "program.gz", bytes }))
-    : import("./compiled.js").then(({ compiled }) => compiled(job, (message) => ended || hear(message)))
-  coming.then(
-    (found) => {
-      if (found && !ended) runner.do({ kind: "cpp", ...found, ros, filename, seconds, args, speed }, hear)
-    },
-    (error) => ended || hear({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED }),
-  )
-  return {
+  const run = {
     end() {
       ended = true
       runner.end()
     },
   }
+  const begin = async () => {
+    const { path = filename, files = {}, nodes = [job, ...beside] } = launch ? await launched(job) : {}
+    const made = await compiledOf(nodes, (message) => ended || hear(message))
+    if (!made) return run.end()
+    if (ended) return
+    if (isAlone) return runner.do({ kind: "cpp", ...made[0], ros, filename, seconds, args, speed }, hear)
+    const others = beside.map((node) => /** @type {import("./protocol.js").Beside} */ ([node.source, node.filename, node.args]))
+    const programs = made.map(({ name }) => name)
+    runner.do({ kind: "run", source, filename: path, seconds, args, speed, beside: others, programs, files }, hear, made)
+  }
+  begin().catch(
+    (error) => ended || hear({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED }),
+  )
+  return run
+}
+
+/**
+ * The path of a launch file, the texts of what it starts, as they stand in the page's listings, by their paths, and those
+ * nodes that are in C++.
+ *
+ * @param {Text} job
+ */
+async function launched({ launch, listings }) {
+  const unpacked = new Blob([await bring(launch)]).stream().pipeThrough(new DecompressionStream("gzip"))
+  /** @type {{path: string, files: Record<string, string>, programs: Record<string, string>}} */
+  const { path, files, programs } = await new Response(unpacked).json()
+  /** @type {Node[]} */
+  const nodes = []
+  for (const [name, text] of Object.entries(files)) {
+    const listing = listings.find(({ original }) => original.trimEnd() === text.trimEnd())
+    if (listing) files[name] = listing.source
+    const node = { source: text, filename: name.replace(/.*\//, ""), args: "", program: programs[name], ros: 1, ...listing }
+    if (name in programs) nodes.push(node)
+  }
+  return { path, files, nodes }
+}
+
+/** @typedef {{name: string, bytes: ArrayBuffer}} Program by the name of its file, which ends in .gz if it is packed */
+
+/**
+ * The programs of those nodes that are in C++; null: one does not compile, which is then told.
+ *
+ * @param {Node[]} nodes
+ * @param {(message: Told) => void} hear
+ */
+async function compiledOf(nodes, hear) {
+  /** @type {Program[]} */
+  const files = []
+  for (const node of nodes.filter(({ ros }) => ros)) {
+    const { program, filename } = node
+    const bytes = program ? await bring(program) : await import("./compiled.js").then(({ compiled }) => compiled(node, hear))
+    if (!bytes) return null
+    files.push({ name: program ? `${filename}.gz` : filename, bytes })
+  }
+  return files
 }
 
 const NOT_LOADED = "What this needs could not be loaded. Is the site still there?"

@@ -117,7 +117,7 @@ export class Sandbox {
       this.#port = port1
       port1.onmessage = ({ data }) => this.#receive(data)
       frame.contentWindow?.postMessage(script, "*", [port2]) // it has no origin that could be named
-      // One after the other: the one that is to be compiled does not wait for the other one to be unpacked.
+      // One after the other: the one that should be compiled does not wait for the other one to be unpacked.
       for (const [each, promised] of coming) {
         const bytes = await promised
         await new Promise((go) => setTimeout(go)) // others wait for it, too, and each copy of it takes a moment

@@ -14,7 +14,7 @@ const UNKEPT = {
 
 const NOTICE =
   "This code came with the link that you opened, not with the page. Read it before you run it. What you change is " +
-  `${window.rosspinStore ? "neither kept nor handed in" : "not kept"}. Reset brings back what stood here before.`
+  `${window.rosspinStore ? "neither kept nor handed in" : "not kept"}. Reset brings back what was here before.`
 
 /**
  * The address of this page that carries a listing, and opens the tabs around an element. RangeError: it is too long.
@@ -49,6 +49,6 @@ export async function receive(cells, base) {
   if (!place) throw new Error("The code in this link belongs to a listing that this page no longer has.")
   /** @type {typeof import("./editor.js") | null} */
   const editor = await import(`${base}editor.js`).catch(() => null)
-  const { pre, said } = reveal(text, editor?.coloured(text, place.isCpp))
+  const { pre, said } = reveal(text, editor?.coloured(text, place.language))
   place.receive({ kept: { ...UNKEPT, text }, seconds, args, notice: `${NOTICE} ${said}`, shown: pre })
 }

@@ -1,7 +1,7 @@
 // What a plain start of Python shares with one from a memory snapshot, which web/snapshot.mjs makes.
 
 /**
- * What loadPyodide is told; `info` is that of Pyodide's lock file, whose packages are not here.
+ * What loadPyodide is told; `info` is from Pyodide's lock file, whose packages are not here.
  *
  * @param {object} info
  */

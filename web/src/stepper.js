@@ -36,6 +36,9 @@ function mark(pre, text, lines) {
     element.style.width = `${pre.scrollWidth}px`
     pre.append(element)
   }
+  const box = pre.closest(".rosspin-beside > div")
+  const first = pre.querySelector(".stepper-line")
+  if (box && first instanceof HTMLElement) box.scrollTop = first.offsetTop - box.clientHeight / 2
 }
 
 export class Stepper {

@@ -163,7 +163,7 @@ export class Answer {
   }
 
   /**
-   * Keep that a text, with null that of the page, has solved the exercise. It may have been changed since.
+   * Keep that a text, with null the page's, has solved the exercise. It may have been changed since.
    *
    * @param {string | null} text
    */
@@ -261,7 +261,7 @@ export class Answer {
 /** The answers to all exercises of the site. */
 export class Store {
   #before // what the keys of all answers begin with
-  #old // what those of earlier versions of the site begin with
+  #old // what keys of earlier versions of the site begin with
   #browser
   /** @type {Map<string, Answer>} */
   #answers = new Map()

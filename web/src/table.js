@@ -77,7 +77,7 @@ export class Table {
   /** The exercises that have been answered, in their order. @type {string[]} */
   exercises = []
 
-  /** What is to be said of files that were refused or left out, how many more such sentences there are, and files. */
+  /** What should be said of files that were refused or left out, how many more such sentences there are, and files. */
   problems = /** @type {string[]} */ ([])
   unlisted = 0
   refused = 0

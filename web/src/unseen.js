@@ -3,7 +3,7 @@
 
 import { make } from "./make.js"
 
-/** Characters that are not seen: controls, format characters such as those of direction, and letters that are blank. */
+/** Characters that are not seen: controls, format characters such as marks of direction, and letters that are blank. */
 export const UNSEEN = /[\p{Cf}\p{Zl}\p{Zp}\u115f\u1160\u3164\uffa0]|(?![\t\n\r])\p{Cc}/gu
 
 /** A line that is longer (characters) is wrapped. */
@@ -17,7 +17,7 @@ const LONG = 150
 export const sign = (character) => `U+${Number(character.codePointAt(0)).toString(16).toUpperCase().padStart(4, "0")}`
 
 /**
- * What to show of a text: `pre`, an element whose textContent it is, and what is to be `said` of it, maybe nothing. Its
+ * What to show of a text: `pre`, an element whose textContent it is, and what should be `said` of it, maybe nothing. Its
  * `pieces` are that text, each with the class of its colour.
  *
  * @param {string} text

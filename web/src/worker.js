@@ -4,6 +4,7 @@
 // @ts-expect-error: Pyodide does not describe it
 import createPyodideModule from "pyodide/pyodide.asm.mjs"
 import { info } from "pyodide/pyodide-lock.json"
+import { Beside } from "../../src/rosspin/cpp/js/beside.mjs"
 import { LONGEST } from "./limits.js"
 import { filled, HEAD, restore } from "./memory.js"
 import { Page } from "./page.js"
@@ -82,7 +83,7 @@ class LateFile {
   #asking = null
 
   /**
-   * @param {any} FS that of Pyodide
+   * @param {any} FS Pyodide's
    * @param {string} path
    * @param {string} name
    */
@@ -172,17 +173,27 @@ async function boot() {
   limitMemory()
   const compiled = file("pyodide.asm.wasm").promise.then((bytes) => WebAssembly.compile(/** @type {ArrayBuffer} */ (bytes)))
   compiled.catch(() => {}) // it is awaited later
-  await new Promise((go) => setTimeout(go)) // if the file is here, others compile it while this thread goes on
+  await new Promise((go) => setTimeout(go)) // if the file is here, others compile it while this thread continues
   const { python, supply } = await start(compiled, file("snapshot.gz").promise).catch(() => start(compiled))
   files.clear() // what it started from; more is asked for
   const page = python.pyimport("rosspin.page")
   page.wake(supply)
   python.setInterruptBuffer(/** @type {any} */ (signals))
-  python.setStdin({ stdin: () => null }) // there is nobody to ask: EOFError
+  python.setStdin({ stdin: () => null }) // no one can be asked: EOFError
   return page
 }
 
 // --- jobs ---
+
+/** What Python sees of the page, and of nodes in C++ that run together with its own. */
+class PageOfPython extends Page {
+  /** @type {Map<string, WebAssembly.Module>} by the names of their files */
+  programs = new Map()
+
+  program(/** @type {string} */ name) {
+    return new Beside(/** @type {WebAssembly.Module} */ (this.programs.get(name)))
+  }
+}
 
 /**
  * A file as Python reads it: no more comes into memory than is asked for.
@@ -203,13 +214,19 @@ function readable(file) {
  *
  * @param {import("./protocol.js").PythonPage} python
  * @param {import("./protocol.js").PythonJob} job
- * @param {Page} page
+ * @param {PageOfPython} page
  * @returns {Promise<import("./protocol.js").Results[keyof import("./protocol.js").Results]>}
  */
 async function act({ run, trace, judge, look, pin, read, answer, report }, job, page) {
   if (job.kind === "run") {
-    const { source, filename, seconds, args, speed, beside } = job
-    return JSON.parse(await run.callPromising(source, filename, seconds, args, speed, JSON.stringify(beside), page))
+    const { source, filename, seconds, args, speed, beside, programs, files: texts } = job
+    for (const name of programs) {
+      const { promise } = file(name)
+      page.programs.set(name.replace(/\.gz$/, ""), new WebAssembly.Module(/** @type {ArrayBuffer} */ (await promise)))
+      files.delete(name)
+    }
+    const more = [beside, texts].map((each) => JSON.stringify(each))
+    return JSON.parse(await run.callPromising(source, filename, seconds, args, speed, more[0], more[1], page))
   }
   if (job.kind === "look") return JSON.parse(await look.callPromising(job.log, job.name))
   if (job.kind === "pin") {
@@ -238,7 +255,7 @@ booting.then(
 addEventListener("message", async (/** @type {MessageEvent<import("./protocol.js").PythonJob | import("./protocol.js").File>} */ { data }) => {
   if (data.kind === "file") return file(data.name).resolve(data.bytes)
   const python = await booting
-  const page = new Page(say)
+  const page = new PageOfPython(say)
   try {
     signals.last = performance.now()
     const result = await act(python, data, page)

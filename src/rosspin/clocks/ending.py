@@ -27,7 +27,7 @@ _ending: set[int] = set()
 
 
 class Ended(BaseException):
-    """Raised in code that is to end now. If the code catches it, it is raised again on the next line.
+    """Raised in code that should end now. If the code catches it, it is raised again on the next line.
 
     The thread is traced for this from the moment the exception is made. Python drops a trace function that raises, so
     a caught exception sets it again when it is deleted. In a web page nothing is traced, since the frames of other
@@ -84,7 +84,7 @@ def ending_here() -> Iterator[None]:
 
 
 def heed() -> None:
-    """Raise :class:`Ended` where code that is to end has caught it, or has put another exception in its place."""
+    """Raise :class:`Ended` where code that should end has caught it, or has put another exception in its place."""
     if get_ident() in _ending:
         raise Ended
 

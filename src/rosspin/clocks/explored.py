@@ -20,7 +20,7 @@ from .stacks import Program, Stack, current
 __all__ = ["Decide", "Deviation", "ExploredSimulation", "Order", "Turn", "name_of"]
 
 # A token: the version of what is counted, whether inside of lines too, and where and how the order deviates. A ``t``
-# stands before the number of a point at which a test continues first.
+# comes before the number of a point at which a test continues first.
 _VERSION = 1
 _TOKEN = re.compile(r"(\d+)(d?)((?:-t?\d+\.\d+)*)")
 
@@ -170,7 +170,7 @@ class Order:
 class ExploredSimulation(Simulation):
     """A simulation in which an order decides which of the stacks that are due at one instant continues.
 
-    It does so until Ctrl-C; what comes after that is in the usual order. Functions that were to be called ``at`` a time
+    It does so until Ctrl-C; what comes after that is in the usual order. Functions that should be called ``at`` a time
     come after all stacks, as usual.
     """
 
@@ -303,7 +303,7 @@ def _now(due: Due) -> Due:
 
 
 def name_of(stack: Stack) -> str:
-    """The name of a thread, of several nodes after its node's; of a main one, that of its node or file."""
+    """The name of a thread, of several nodes after its node's; a main one has its node's or file's."""
     owner = stack.owner
     node = owner.name or owner.file
     if stack is owner.main:

@@ -217,7 +217,7 @@ def outer_place(places: Iterable[Place]) -> Place | None:
 
 
 # The instructions with which a with statement enters its context. Python 3.13 and newer give them the place of the
-# expression after ``with``, older ones that of the whole statement.
+# expression after ``with``, older ones the whole statement's.
 _ENTERS = {"BEFORE_WITH", "BEFORE_ASYNC_WITH", "LOAD_SPECIAL"}
 _WITH = re.compile(r"\s*((?:async )?with\b.*)")
 _OPENS_BLOCK = re.compile(r":\s*(#.*)?$")

@@ -1,4 +1,4 @@
-"""Which code is installed: Python's own, that of packages, that of a real ROS.
+"""Which code is installed: Python's own, packages', a real ROS's.
 
 A node may lie among it: pip puts a student's package into ``site-packages``. That package is the node's then. colcon
 puts nodes into folders of the same name, which are no interpreter's.
@@ -18,7 +18,7 @@ __all__ = ["is_installed_file", "note_own"]
 
 
 def _libraries() -> Iterator[str]:
-    """The folders of this interpreter's modules, and those of the one from which a virtual environment was made."""
+    """The folders of this interpreter's modules, and of the one from which a virtual environment was made."""
     yield os.path.dirname(os.__file__)
     for prefix in (sys.prefix, sys.base_prefix):
         for scheme in sysconfig.get_scheme_names():  # a user's own, and Debian's, are among them

@@ -112,7 +112,7 @@ def put_back(running: Running | None) -> None:
 
 
 def _exchange_task(loop: Any, new: Any) -> Any:
-    """Make a task that of the running loop. Python before 3.14 keeps one for each loop, not one for each thread."""
+    """Make a task the running loop's. Python before 3.14 keeps one for each loop, not one for each thread."""
     return sys.modules["asyncio.tasks"]._swap_current_task(loop, new) if sys.version_info >= (3, 14) else None
 
 

@@ -73,7 +73,7 @@ def _unlimited() -> Iterator[Callable[[], bool]]:
 
 
 class Simulation:
-    """A clock on which sleeping takes no time. ``now`` and ``sleep`` are those of :class:`rosspin.clocks.clock.Clock`.
+    """A clock on which sleeping takes no time. ``now`` and ``sleep`` are as in :class:`rosspin.clocks.clock.Clock`.
 
     It begins at ``start`` (ns). The system's clock is ``ahead`` of it by so many ns, once someone has set that.
 
@@ -88,7 +88,7 @@ class Simulation:
         self.ahead = 0
         self.is_late = False  # whether sleeps end later than they should
         self._heap: list[tuple[int, int, Stack]] = []
-        # Wake-ups in their order. Those of many timers come in this order, and what does needs no heap.
+        # Wake-ups in their order. Many timers' come in this order, and what does needs no heap.
         self._row: deque[tuple[int, int, Stack]] = deque()
         self._order = 0  # the number of the newest wake-up; of two at one time, the smaller goes first
         self._cancelled: set[int] = set()  # wake-ups in the heap that are not to happen
@@ -352,7 +352,7 @@ class Simulation:
         self._schedule(self._now, stack)
 
     def _keep(self, is_wanted: Callable[[Stack], bool]) -> None:
-        """Drop the wake-ups that are cancelled, and those of stacks that are not wanted."""
+        """Drop wake-ups that are cancelled, or of stacks that are not wanted."""
         cancelled, entries = self._cancelled, [*self._heap, *self._row]
         self._heap[:] = [entry for entry in entries if entry[1] not in cancelled and is_wanted(entry[2])]
         heapify(self._heap)

@@ -27,7 +27,7 @@ __all__ = [
 
 
 class StackExit(BaseException):
-    """Thrown into a stack that is to end now; nothing but its own ``finally`` blocks should see it."""
+    """Thrown into a stack that should end now; nothing but its own ``finally`` blocks should see it."""
 
 
 class Program:
@@ -41,6 +41,7 @@ class Program:
     main: Stack
     name = ""  # of its node, once it has one
     file = ""  # of its code
+    tells = True  # whether it tells what it calls, as a node in C++ does not
 
     def __init__(self) -> None:
         self.interrupted = False
@@ -52,9 +53,9 @@ class Program:
         self.main_ended: Any = None  # a lock, held by the main thread for as long as it runs the program's own code
         self.idents: set[int] = set()  # of the threads that it started and that have not ended
         self.active: dict[int, Any] = {}  # those threads, while it is not running (simulated programs only)
-        self.working: dict[Any, Any] = {}  # those of them that belong to a pool, and its queue
+        self.working: dict[Any, Any] = {}  # the ones that belong to a pool, and its queue
         self.over = False
-        self.at_end: list[Callable[[], None]] = []  # what is to be done when it is over, however it ended
+        self.at_end: list[Callable[[], None]] = []  # what should be done when it is over, however it ended
 
 
 if sys.platform == "emscripten":
@@ -121,11 +122,11 @@ class Stack(Switched):
         self.waits = False  # whether it waits for someone to wake it
         self.lock: Any = None  # the lock for which it waits, or last waited, without a limit
         self.needs: tuple[str, Callable[[], Switched | None]] | None = (
-            None  # what else it waits for, and who is to give it
+            None  # what else it waits for, and who should give it
         )
         self.polled = -1  # when (ns) it last looked in vain for something
         self.polls = 0  # how often in a row it has
-        self.interrupt: Callable[[], None] | None = None  # what it is to call as soon as it continues
+        self.interrupt: Callable[[], None] | None = None  # what it should call as soon as it continues
         self.resumed = False  # whether it was scheduled to continue for its interrupt
         self.ended: Any = None  # a lock that is released when it has ended
 
@@ -146,7 +147,7 @@ def whose() -> Program | None:
 
 @contextmanager
 def waiting_for(what: str, giver: Callable[[], Switched | None]) -> Iterator[None]:
-    """Within this context the calling stack waits for what another, ``giver()``, is to give; ``what`` names it."""
+    """Within this context the calling stack waits for what another, ``giver()``, should give; ``what`` names it."""
     me = current()
     if not isinstance(me, Stack):
         yield

@@ -68,7 +68,7 @@ class Watchdog:
         self._worked = self._busy_until_now()
         self._stuck: Stuck | None = None
         self._interrupted = False  # by someone's Ctrl-C
-        self._due = False  # whether what is running is to be ended
+        self._due = False  # whether what is running should be ended
         self._taking_down = False
 
     def __enter__(self) -> Watchdog:
@@ -107,7 +107,7 @@ class Watchdog:
     def _is_due(self, find_frame: Callable[[], FrameType | None]) -> bool:
         """Look at the code, and decide whether to end it. ``find_frame()`` is where it is.
 
-        What holds a frame keeps all that the frame refers to, such as a node that is to be gone: so it is seldom asked.
+        What holds a frame keeps all that the frame refers to, such as a node that should be gone: it is seldom asked.
         """
         self._due = self._due or (self._is_over() if self._taking_down else self._is_stuck(find_frame))
         return self._due

@@ -2,6 +2,6 @@
 
 from .building import CompileError, build, build_together, compiler
 from .lean import lean
-from .program import Program
+from .nodejs import program
 
-__all__ = ["CompileError", "Program", "build", "build_together", "compiler", "lean"]
+__all__ = ["CompileError", "build", "build_together", "compiler", "lean", "program"]

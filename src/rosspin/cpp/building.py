@@ -22,9 +22,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..messages.library import Library
+from ..programs.cmake import companions
 from ..world.world import NotSimulated
 from . import headers
-from .cmake import companions
 
 __all__ = ["Built", "CompileError", "build", "build_together", "compiler", "node_command"]
 
@@ -38,18 +38,20 @@ _CLANG = _BUILD / "npm" / "node_modules" / "@yowasp" / "clang"
 _KEPT = _BUILD / "cpp"
 _PROGRAMS = _KEPT / "programs"
 
-# Exceptions are those of WebAssembly. Whatever uses a null pointer ends there, as on a computer; in the memory of a
+# Exceptions are WebAssembly's. Whatever uses a null pointer ends there, as on a computer; in the memory of a
 # program here, it would be as good as any other.
 _FLAGS = ["--target=wasm32-wasip1", "-std=gnu++17", "-Os", "-fwasm-exceptions", "-w", "-fno-color-diagnostics"]
 _FLAGS += ["-D_WASI_EMULATED_SIGNAL", "-D_WASI_EMULATED_PROCESS_CLOCKS", "-D_WASI_EMULATED_GETPID", "-Iinclude"]
-_FLAGS_NODE = ["-fsanitize=null,return", "-fsanitize-trap=null,return", "-ferror-limit=5"]
+# As g++ without options, a number that is narrowed, a `register`, and a function that lacks its return are let pass.
+_FLAGS_NODE = ["-fsanitize=null", "-fsanitize-trap=null", "-ferror-limit=5"]
+_FLAGS_NODE += ["-Wno-c++11-narrowing", "-Wno-register", "-fno-strict-return"]
 _SYSTEM_LIBRARIES = "/usr/lib/wasm32-wasip1"
 _LINK = [f"{_SYSTEM_LIBRARIES}/crt1-command.o", f"-L{_SYSTEM_LIBRARIES}", "-lwasi-emulated-process-clocks"]
 _LINK += ["-lc++", "-lc++abi", "-lc", "/usr/lib/wasm32-unknown-wasip1/libclang_rt.builtins.a"]
 _LINK += ["--export=__cpp_exception", "--export=malloc", "--export=rosspin_shared", "--export-table"]
 _LINK += ["-z", "stack-size=8388608", "--stack-first", "--max-memory=1073741824"]
 
-# The files of the runtime that have no ROS, and the one of each ROS.
+# The files of the runtime that have no ROS, and each ROS's.
 _RUNTIMES = ("exceptions", "host")
 _OF_RUNTIME = ("include/rosspin/format.h", "include/rosspin/host.h")  # all that those include
 _RUNTIME_OF = {1: "roscpp", 2: "rclcpp"}
@@ -59,7 +61,7 @@ _MISSING = re.compile(r"fatal error: '([^']+)' file not found")
 _UNAVAILABLE = re.compile(r"error: .* is unavailable: (.+) is not simulated; run this node on a real ROS")
 _UNDEFINED = re.compile(r"wasm-ld: error: .*undefined symbol: (.*)")
 
-# Packages whose headers a node may include, of ROS or beside it.
+# Packages whose headers a node may include, of ROS or next to it.
 _SYSTEM = re.compile(
     r"(ros|rcl\w*|rmw\w*|rcutils|rcpputils|rosidl\w*|ament\w*|class_loader|tf2?\w*|actionlib|boost|Eigen|eigen3|opencv2?|"
     r"cv_bridge|pcl\w*|image_transport|moveit|nodelet|pluginlib|dynamic_reconfigure|message_filters|"
@@ -71,7 +73,7 @@ class CompileError(ValueError):
     """A C++ node that does not compile; the message is the compiler's."""
 
     def _render_traceback_(self) -> list[str]:
-        """What a notebook shows: the lines of the cell, not those of rosspin."""
+        """What a notebook shows: the lines of the cell, not rosspin's."""
         return str(self).splitlines()
 
 
@@ -136,7 +138,7 @@ def build_together(nodes: Sequence[tuple[str, str | None]]) -> None:
 
 
 class _Plan(NamedTuple):
-    """What is to be compiled for a node: the program, the texts and files by the compiler's names."""
+    """What should be compiled for a node: the program, the texts and files by the compiler's names."""
 
     program: Path
     ros: int
@@ -282,13 +284,13 @@ class _StandIn(NamedTuple):
 
 
 def _made(ros: int, waiting: Waiting) -> _StandIn:
-    """Compile the stand-in for a ROS unless somebody has. Raises ValueError if there is no compiler."""
+    """Compile the stand-in for a ROS unless that is done. Raises ValueError if there is no compiler."""
     made = _stand_in(ros)
     if not all(step.file.exists() for step in made.steps):
         with _alone(made.folder, waiting):
             for name, text in made.own.items():
                 _write(made.folder / "include" / name, text)
-            # Perhaps somebody else has meanwhile.
+            # Perhaps another process has meanwhile.
             left = [step.request() for step in made.steps if not step.file.exists()]
             said, status = _compile(left, waiting) if left else ("", 0)
         if status:
@@ -307,7 +309,7 @@ def _stand_in(ros: int) -> _StandIn:
     key = _digest(version, prelude, json.dumps([dict(own), _FLAGS, _FLAGS_NODE, _LINK], sort_keys=True))
     folder = _KEPT / key
     files = {name: str(folder / name) for name in names.values()}
-    # Otherwise, each node would make anew what the headers need of templates.
+    # Otherwise, each node would compile the headers' templates again.
     pch = _Step(folder / "prelude.pch", ["-x", "c++-header", "-fpch-instantiate-templates", prelude], files)
     objects: dict[str, _Step] = {}
     for name in (*_RUNTIMES, _RUNTIME_OF[ros]):
@@ -343,7 +345,7 @@ def _write(file: Path, text: str) -> None:
 
 @contextmanager
 def _alone(folder: Path, waiting: Waiting, *, shared: bool = False) -> Iterator[None]:
-    """Wait until nobody else is there, or if it is ``shared``, nobody who wants to be alone."""
+    """Wait until no other process is there, or if it is ``shared``, none that wants to be alone."""
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "lock", "w") as lock:
         while True:

@@ -23,7 +23,10 @@ _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILI
 _PART = re.compile(r"(\w+/(?:msg|srv)/)detail/(\w+?)__(?:struct|traits|builder|type_support)\.hpp")
 
 # The folders of the stand-in for each ROS, and what is made for it.
-_FOLDERS = {1: ("rosspin", "boost", "ros"), 2: ("rosspin", "rclcpp", "rclcpp_components", "rcutils", "rmw")}
+_FOLDERS = {
+    1: ("rosspin", "bits", "boost", "ros"),
+    2: ("rosspin", "bits", "rclcpp", "rclcpp_components", "rcutils", "rmw"),
+}
 _MADE = {1: ("ros/console_macros.h", ros1_macros), 2: ("rclcpp/logging_macros.hpp", ros2_macros)}
 
 # The messages of ROS 2 that rclcpp itself uses.

@@ -1,4 +1,4 @@
-"""Make a program small enough for a page: without names that nobody sees, and without what a node hardly ever calls."""
+"""Make a program small enough for a page: without names that are never seen, or what a node hardly ever calls."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _CALLED = re.compile(
     r"\bw(?:char_t|string|cout|cerr|clog|cin|\w*stream)\b|char(?:8|16|32)_t|\b[uU]?L\"|money|_time\b|<codecvt>|<format>|messages<"
 )
 
-# The names of the node's own functions: that of a callback is its timer's, and the place of a fault is told by it.
+# The names of the node's own functions: a timer is named after its callback, and the place of a fault is told by it.
 _OWN = re.compile(
     r"(?:\(anonymous namespace\)::)?(?![^(]*\b(?:std|rosspin|rclcpp|rcl_interfaces|ros|boost|__cxxabiv1)::)"
     r"(?!operator |decltype|void \(|rcutils|non-virtual|\S* strip_|__)[^(]+\(.*\)"

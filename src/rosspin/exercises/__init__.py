@@ -1,8 +1,8 @@
 """The checks of the exercises in ``notebooks/exercises.md`` and ``notebooks/ros2-exercises.md``, and of a teacher's.
 
 An answer is a text: a node file, or predictions as assignments. A check runs it in simulated time and says what is
-right, what is wrong, and how to go on. It raises nothing, whatever the answer is. It looks at what the node did, such
-as which timers were still alive in the end, not at how the node is written.
+right, what is wrong, and how to continue. It raises nothing, whatever the answer is. It looks at what the node did,
+such as which timers were still alive in the end, not at how the node is written.
 
 Running and judging can be done in two Pythons: :func:`trace` runs the answer and writes down what it did;
 :func:`judge` judges that, in a Python in which the answer has never run.
@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 from ..vehicle.drawn import drawn
 from .feedback import Feedback, Finding
 from .judging import Answer, Fails
-from .questions import PARTS, QUESTIONS, Exercise
+from .own import EXERCISES, Exercise
 from .reach import reaches_for
 from .running import Runner
 from .seen import Seen
@@ -24,9 +24,9 @@ from .traces import Misfit, Outcome, Request, Trace, read, write
 
 __all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "Misfit", "check", "judge", "trace"]
 
-_NOTHING = Seen(0.0, (), (), (), (), (), (), (), 0, (), False, None, False, ())
+_NOTHING = Seen(0.0, (), (), (), (), (), (), (), (), 0, (), False, None, False, ())
 _CUT = "the node did so much that not all of it was looked at."
-_LESS = "Let it print and publish no more than the exercise asks for."
+_LESS = "It should print and publish no more than the exercise asks for."
 
 
 def check(which: int | str, answer: Any) -> Feedback:
@@ -76,13 +76,16 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
 
     given = Answer(answer, exercise.ros, ask)
     findings = _find(exercise, given)
+    early = given.hint_for_early_end()
+    if early and all(finding.right for finding in findings):
+        findings.append(Finding(False, "the node ended by itself."))
     if left:
         raise Misfit("it has more runs than this exercise asks for")
     whole = not cut or any(finding.right is False for finding in findings)
     if not whole:
         findings.append(Finding(False, _CUT, _LESS))
     hints = [finding.hint for finding in findings if not finding.right and finding.hint]
-    if early := given.hint_for_early_end():
+    if early:
         # It comes first if the node printed nothing, else last.
         hints.insert(len(hints) if console else 0, early)
     hint = [*hints, exercise.hint][0]
@@ -111,7 +114,7 @@ class Verdict(NamedTuple):
 
     The ``verdict`` is "solved", "not yet", "open" (not answered yet), "to read" (by the teacher, as not all of it was
     looked at) or "not judged". ``status`` is the verdict in a line, ``console`` what the answer printed, and ``said``
-    the feedback. Of an answer that is wrong, ``why`` is the first thing that is, and ``hint`` how to go on.
+    the feedback. Of an answer that is wrong, ``why`` is the first thing that is, and ``hint`` how to continue.
     """
 
     verdict: str
@@ -175,12 +178,3 @@ def _find(exercise: Exercise, answer: Answer) -> list[Finding]:
     except Fails as failure:
         findings.append(failure.finding)
     return findings
-
-
-# These import what is above.
-from .own import LESSONS  # noqa: E402
-
-_others = QUESTIONS | {lesson.exercise.name: lesson.exercise for lesson in LESSONS}
-_listed = [_others.pop(name)._replace(ros=ros, part=part) for ros, part, names in PARTS for name in names]
-EXERCISES = tuple(each._replace(number=number) for number, each in enumerate([*_listed, *_others.values()], 1))
-"""All exercises: those of the two lists, those that drive the vehicle, and then those of the teacher."""

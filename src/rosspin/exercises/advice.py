@@ -13,7 +13,7 @@ from ..rospy.exceptions import ROSInitException
 
 __all__ = ["advice", "lacking", "not_called", "not_found"]
 
-# What each module of rospy passes to its callbacks, and what it is to be given.
+# What each module of rospy passes to its callbacks, and what it should be given.
 _PASSED = {
     "timer": "A timer passes its callback one argument, the event: def callback(event), or (self, event) in a class.",
     "topics": "A subscriber passes its callback one argument: def callback(message), or (self, message) in a class.",
@@ -67,7 +67,7 @@ def not_found(error: BaseException, text: str) -> str:
     if isinstance(error, ModuleNotFoundError):
         if sys.platform == "emscripten":
             return f"{lacking(error)} No exercise needs it."
-        return "Is the module spelt right? No exercise needs others than those of ROS and of Python's standard library."
+        return "Is the module spelt right? No exercise needs others than ROS's and Python's own."
     if isinstance(error, ImportError):
         return f"Is the name spelt right, and is it in that module? `{error.name}` is there."
     if isinstance(error, NameError):
@@ -104,7 +104,7 @@ def _lacks(error: AttributeError) -> str:
     if "object has no attribute" not in str(error) or error.obj is None:
         return ""
     if kind.__name__ in ("function", "method"):
-        return f"This is a function, which is to be called first, with `()`: what it returns has `{error.name}`."
+        return f"This is a function, which should be called first, with `()`: what it returns has `{error.name}`."
     if hasattr(kind, "get_fields_and_field_types"):
         fields = ", ".join(f"`{name}`" for name in kind.get_fields_and_field_types())
         return f"A `{kind.__name__}` has no field `{error.name}`. It has {fields}."
@@ -172,7 +172,7 @@ _FORMS = {
     "callback, how many may wait.",
     "create_client": '`self.create_client(Trigger, "name")`: the type, then the name of the service.',
     "create_service": '`self.create_service(Trigger, "name", self.callback)`: the type, the name, the callback.',
-    "spin": "`rclpy.spin(node)`: the node whose callbacks are to be called.",
+    "spin": "`rclpy.spin(node)`: the node whose callbacks should be called.",
     "declare_parameter": "`self.declare_parameter(name, default).value`: the name, then the default.",
     "get_parameter": "`self.get_parameter(name).value`, after the parameter was declared.",
     "Publisher": '`rospy.Publisher("topic", UInt32, queue_size=10)`: the topic, then the type.',
@@ -214,7 +214,7 @@ def _form_within(error: BaseException) -> str:
 
 
 def _on_messages(error: BaseException) -> str:
-    """Advise on a message that was not made, or not filled, as it is to be."""
+    """Advise on a message that was not made, or not filled, as it should be."""
     said = str(error)
     if isinstance(error, TypeError) and said.startswith("Expected <class") and ".msg." in said:
         if "Metaclass_" in said:
@@ -286,7 +286,7 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
     if "History and/or depth settings are required" in str(error):
         return "A QoSProfile needs a depth, too: QoSProfile(depth=10, ...)."
     if isinstance(error, TypeError) and not str(error):
-        return "The callback of a service returns the response, and that of an action its result: `return response`."
+        return "A service's callback returns the response, an action's its result: `return response`."
     return ""
 
 

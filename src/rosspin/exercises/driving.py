@@ -1,4 +1,4 @@
-"""Judge what a vehicle did that an answer steers, beside which it runs."""
+"""Judge what a vehicle did that runs together with an answer, which steers it."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ _WORDS = {True: "Right", False: "Wrong", None: "Open"}
 
 
 class Finding(NamedTuple):
-    """One thing about an answer: whether it is right, and what it is in words (Markdown). ``hint`` says how to go on.
+    """One thing about an answer: whether it is right, and what it is (Markdown). ``hint`` says how to continue.
 
     If nothing has been answered yet, ``right`` is None. ``ticks`` are the lines of a picture in plain text: what came
     above what should have come.
@@ -30,10 +30,10 @@ class Finding(NamedTuple):
 class Feedback:
     """What a check has found, shown as Markdown in a notebook and as text elsewhere.
 
-    ``number`` is the exercise's, ``findings`` are in the order in which they were made, ``hint`` says how to go on, and
+    ``number`` is the exercise's, ``findings`` are in the order in which they were made, ``hint`` says how to continue,
     ``console`` is what the node printed in its first run, as far as it is worth showing. If the node did more than was
     looked at, the last finding says so, and ``whole`` is false. ``progress`` says what else has been solved.
-    ``drive`` is what the vehicle did in the first run, if one ran beside the node.
+    ``drive`` is what the vehicle did in the first run, if one ran with the node.
     """
 
     number: int

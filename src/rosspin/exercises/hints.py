@@ -45,14 +45,21 @@ def for_counters(found: Sequence[Printed], wanted: Sequence[float], told: str = 
     return ""
 
 
-def for_times(found: Sequence[Printed], wanted: Sequence[float]) -> str:
-    """Return a hint on the right counters at wrong times; empty if they show no more than another period."""
+def for_times(found: Sequence[Printed], wanted: Sequence[float], hint: str = "") -> str:
+    """Return a hint on the right counters at wrong times; ``hint`` if they show no more than another period."""
     pairs = list(pairwise(found[: len(wanted)]))
     if pairs and all(after.time - line.time < _CLOSE for line, after in pairs[::2]):
         return "They come two at a time: do two timers call the same callback, or does one call count twice?"
+    period = wanted[1] - wanted[0] if pairs and abs(wanted[1] - 2 * wanted[0]) < _CLOSE else 0.0
+    if period and all(abs(after.time - line.time - period) < _CLOSE for line, after in pairs):
+        start, late = f"They come every {say(period)}, as asked for, but", found[0].time - period
+        if late > _CLOSE:
+            return f"{start} {say(late)} late. What keeps the first one?"
+        if found[0].time < _CLOSE:
+            return f"{start} from the start. A timer waits for one period before its first call: what makes this one?"
     if len(found) == 1 < len(wanted) and abs(found[0].time - wanted[0]) < _CLOSE:
-        return "It came once, and never again: what is to call back the next time?"
-    return ""
+        return hint or "It came once, and never again: what should call back the next time?"
+    return hint
 
 
 def for_none(seen: Seen, tag: str, hint: str = "") -> str:
@@ -62,11 +69,11 @@ def for_none(seen: Seen, tag: str, hint: str = "") -> str:
     for line in seen.printed:
         text = line.text.strip().rpartition("]: ")[2]
         if line.time <= seen.seconds and sign.search(text) and not any(f"[{other}]" in text for other in others):
-            return f"The lines are to read `[{tag}] counter = 1` and so on. The node printed `{plain(text)}`."
+            return f"The lines should read `[{tag}] counter = 1` and so on. The node printed `{plain(text)}`."
     if any(timer.state == "stopped" and not timer.calls for timer in seen.timers):
         return "A timer of the node was stopped before its first call, or never started."
     if not seen.timers and seen.interrupted and not seen.printed:
-        return hint or "The node has no timer, and printed nothing. What is to call the callback?"
+        return hint or "The node has no timer, and printed nothing. What should call the callback?"
     slow = [timer for timer in seen.timers if not timer.calls and timer.period > seen.seconds]
     if slow and seen.interrupted:
         period, end = say(slow[0].period), say(seen.seconds)

@@ -41,7 +41,7 @@ def timer_of(frame: FrameType) -> Any:
 
 
 def timers(world: World, printers: Iterable[Any]) -> list[Watched]:
-    """Return the timers of its nodes, but those of Rates, and those that have printed something and are gone."""
+    """Return its nodes' timers without their Rates', and timers that have printed something and are gone."""
     nodes = [node for context in world.part(State).contexts for node in context.nodes]
     owners = {timer: node.full_name for node in nodes if (own := node.node()) for timer in own._timers}
     return [

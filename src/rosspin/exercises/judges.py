@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from itertools import pairwise
+from itertools import count, pairwise
 from typing import Concatenate, ParamSpec
 
 from .feedback import Finding
@@ -21,13 +21,13 @@ Check = Callable[[Seen, str], Finding | None]
 P = ParamSpec("P")
 
 # Times that differ by less than this (s) are meant to be the same.
-_CLOSE = 1e-3
+CLOSE = 1e-3
 
 _TURNS = "when the threads take turns at every line"
 
 
 def _check(look: Callable[Concatenate[Seen, str, P], Finding | None]) -> Callable[P, Check]:
-    """Let a question give the other arguments of a check."""
+    """Make a check whose other arguments a question gives."""
     return lambda *args, **kwargs: lambda seen, when: look(seen, when, *args, **kwargs)
 
 
@@ -135,7 +135,7 @@ def on_time(
         if line.text != str(number):
             text = f"{start}where {one} {number} was due, {one} {plain(line.text)} came."
             return Finding(False, text, hint)
-        if abs(line.time - time) > _CLOSE:
+        if abs(line.time - time) > CLOSE:
             text = f"{start}{one} {number} came at {say(line.time)}, not at {say(time)}."
             return Finding(False, text, hint, _around(number - 1, found, wanted, one))
     if len(found) > len(wanted):
@@ -190,50 +190,22 @@ def ticks(
     if not found:
         said = for_none(seen, tag, said)
     elif seen.interrupted:
-        said = said or for_times(found, wanted)
+        said = for_times(found, wanted, said)
     return on_time(found, wanted, what, said)
 
 
 def unless_regular(hint: str) -> Hint:
-    """Return a hint for counters that leave their grid; those of another period are told so."""
+    """Return a hint for counters that leave their grid, or that have another period."""
 
     def hint_for(found: Sequence[Printed]) -> str:
         period = found[0].time if found else 0.0
-        if len(found) > 1 and all(abs(line.time - n * period) < _CLOSE for n, line in enumerate(found, 1)):
+        if len(found) > 1 and all(abs(line.time - n * period) < CLOSE for n, line in enumerate(found, 1)):
             return (
                 f"They come every {say(period)}: that is the period of their timer now, not the one that is asked for."
             )
         return hint
 
     return hint_for
-
-
-def overrun(found: Sequence[Printed]) -> str:
-    """Return a hint on a loop of 2 Hz whose third pass takes too long."""
-    if found and abs(found[-1].time / 0.5 - round(found[-1].time / 0.5)) > _CLOSE:
-        return "The loop has left its grid of 0.5 s: count deadlines on from the old one, not from now."
-    if any(after.time - line.time < 0.5 - _CLOSE for line, after in pairwise(found[2:])):
-        return "A lost pass is not to be made up for: two passes in a row would send two commands in quick succession."
-    return ""
-
-
-@_check
-def missing(seen: Seen, when: str, wanted: Sequence[int]) -> Finding:
-    """Whether each callback printed how many ticks were missing."""
-    found = [line for line in seen.values("[^]]*", "missing") if line.time <= seen.seconds]
-    if not found:
-        return Finding(False, f"{when}: no line with `missing = ` was printed.")
-    if len(found) != len(wanted):
-        return Finding(False, f"{when}: {len(wanted)} callbacks printed {len(found)} lines with `missing = `.")
-    for number, (line, due) in enumerate(zip(found, wanted, strict=True), 1):
-        said = _as_number(line.text)
-        if said != due:
-            whole = said is not None and said == int(said)
-            hint = "" if whole else "A tick is either missing or not: the number is whole."
-            were = "was" if due == 1 else "were"
-            text = f"{when}: callback {number} printed `missing = {plain(line.text)}`, but {due} {were} missing."
-            return Finding(False, text, hint)
-    return Finding(True, f"{when}: the callbacks printed {', '.join(line.text for line in found)}.")
 
 
 # --- who ticks --------------------------------------------------------------------------------------------------------
@@ -248,7 +220,7 @@ def stops(seen: Seen, when: str, calls: int, timer: str = "a `rospy.Timer`") -> 
     timers, others = seen.printers(counters)
     if others:
         text = f"counter {plain(others[0].text)} was not printed by the callback of {timer}."
-        return Finding(False, text, "Let a timer call back, and stop it.")
+        return Finding(False, text, "Use a timer, and stop it.")
     states = {timer.state for timer in timers}
     count = sum(len(timer.calls) for timer in timers)
     if "gone" in states:
@@ -256,59 +228,14 @@ def stops(seen: Seen, when: str, calls: int, timer: str = "a `rospy.Timer`") -> 
         return Finding(False, "the timer was not stopped: its thread was ended.", hint)
     if "blocked" in states:
         text = "the timer was not stopped: a call of its callback had not returned in the end."
-        return Finding(False, text, "A callback that never returns keeps a thread for ever. Stop the timer and return.")
+        return Finding(False, text, "A callback that never returns keeps its thread. Stop the timer and return.")
     if count > calls:
         text = f"the callback was called {count} times in {say(seen.seconds)}, where {calls} would do."
         silent = "A callback that returns immediately is still called. Stop the timer itself."
         return Finding(False, text, silent if count > len(counters) else "")
-    if "running" in states:
+    if "running" in states and seen.interrupted:
         return Finding(False, "the timer still runs.", "Stop the timer itself.")
-    return Finding(True, "the timer has stopped.")
-
-
-@_check
-def moved_to_a_timer(seen: Seen, when: str) -> Finding | None:
-    """Whether one timer printed all counters, one in each call, and the node has no loop left."""
-    counters = seen.counters()
-    timers, others = seen.printers(counters)
-    if not seen.timers:
-        return Finding(False, "no timer calls back.")
-    if others:
-        return Finding(False, f"counter {plain(others[0].text)} was printed by a loop, not by a timer's callback.")
-    if len(timers) > 1:
-        text = f"{len(timers)} timers printed the counters."
-        return Finding(False, text, "A timer that is not one-shot calls back again by itself: one is enough.")
-    if timers and len(timers[0].calls) < len(counters):
-        text = "one call of the callback printed several counters: the loop is now in the callback."
-        return Finding(False, text, "A callback does one pass and returns. The timer calls it again.")
-    if seen.loops:
-        text = f"there still is a loop, at line {seen.loops[0]}."
-        return Finding(False, text, "`rospy.spin()` waits for the node to be shut down; it needs no loop around it.")
-    return Finding(True, "a timer calls back, and no loop is left.") if timers else None
-
-
-@_check
-def have_timers_of_their_own(seen: Seen, when: str, *tags: str) -> Finding | None:
-    """Whether the counters of each tag were printed by a timer of their own, and all these timers are of one node."""
-    printed = {tag: seen.counters(tag) for tag in tags}
-    if not all(printed.values()):
-        return None
-    nodes: dict[str, str] = {}
-    told: dict[int, str] = {}  # by the number of a timer
-    second = "The exercise asks for a timer of its own for each, with its own period, callback and counter."
-    for tag, counters in printed.items():
-        timers, others = seen.printers(counters)
-        if others:
-            text = f"counter {plain(others[0].text)} of `[{tag}]` was not printed by the callback of a timer."
-            return Finding(False, text, second)
-        for timer in timers:
-            if timer.number in told:
-                return Finding(False, f"one timer prints both `[{told[timer.number]}]` and `[{tag}]`.", second)
-            told[timer.number] = nodes[timer.node] = tag
-    if len(nodes) > 1:
-        names = " and ".join(f"`{plain(name)}`" for name in nodes)
-        return Finding(False, f"the timers are of two nodes, {names}.", "One node can have both timers.")
-    return Finding(True, "each has a timer of its own, and both are of one node.")
+    return Finding(True, "the timer has stopped.") if "running" not in states else None
 
 
 # --- how it ends ------------------------------------------------------------------------------------------------------
@@ -320,10 +247,10 @@ def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Fi
 
     ``again`` is the hint if it is then driven again, ``late`` the hint if it is not stopped immediately.
     """
-    printed = [(line.time, _as_number(line.text)) for line in seen.values("MOTOR", "speed")]
+    printed = [(line.time, as_number(line.text)) for line in seen.values("MOTOR", "speed")]
     commands = [(time, speed) for time, speed in printed if speed is not None]
     driven = [time for time, speed in commands if speed and time < end]
-    paused = [time for time, speed in commands if not speed and time < end - _CLOSE]
+    paused = [time for time, speed in commands if not speed and time < end - CLOSE]
     due = int(end / 0.1)
     if paused or abs(len(driven) - due) > 1:
         told = f"stopped at {say(paused[0])}" if paused else f"told a speed {len(driven)} times, not about {due} times"
@@ -331,14 +258,14 @@ def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Fi
         return Finding(False, f"{when}: up to then the motor was {told}.", hint)
     stop = next((n for n, (_, speed) in enumerate(commands) if not speed), None)
     if stop is None:
-        return Finding(False, f"{when}: nothing stops the motor. It goes on at its last speed.")
+        return Finding(False, f"{when}: nothing stops the motor. It continues at its last speed.")
     time = commands[stop][0]
     if later := [after for after, speed in commands[stop:] if speed]:
         text = f"{when}: the motor was stopped at {say(time)}, and driven again at {say(later[0])}."
         return Finding(False, text, again)
     if time > end + 0.5:
         text = f"{when} at {say(end)}: the motor was not stopped before {say(time)}."
-        return Finding(False, text, late)
+        return Finding(False, text, late if end < seen.seconds else "Stop it first: what does the node wait for?")
     return Finding(True, f"{when}: the motor was stopped at {say(time)}.")
 
 
@@ -356,7 +283,7 @@ def ends_well(seen: Seen, when: str) -> Finding:
         return Finding(False, f"{when}: the {say_error(error)}", again if error.type == "RCLError" else caught)
     if seen.status:
         text = f"{when}: the node ended with status {seen.status} instead of 0."
-        return Finding(False, text, "Status 0 says that all is well. It is that of a main part that just ends.")
+        return Finding(False, text, "Status 0 says that all is well. A main part that just ends gives it.")
     return Finding(True, f"{when}: the node ended with status 0, without a traceback.")
 
 
@@ -366,19 +293,10 @@ def ends_at_sigterm(seen: Seen, when: str, at: float) -> Finding:
     if not seen.interrupted:
         return ends_well(seen, when)
     hint = (
-        "SIGTERM raises nothing in the main part and wakes no Rate. Let the main part spin: `spin` notices it. The "
+        "SIGTERM raises nothing in the main part and wakes no Rate. The main part should spin: `spin` notices it. The "
         "loop can be in a thread."
     )
     return Finding(False, f"{when} at {say(at)}: the node did not end.", hint)
-
-
-@_check
-def fails(seen: Seen, when: str, hint: str) -> Finding:
-    """Whether an error has ended the node with a status other than 0."""
-    if seen.status:
-        return Finding(True, f"{when}: the node ended with status {seen.status}.")
-    went_on = "went on" if seen.interrupted else "ended with status 0, as if all were well"
-    return Finding(False, f"{when}: the node {went_on}.", hint)
 
 
 @_check
@@ -392,149 +310,7 @@ def declares(seen: Seen, when: str, name: str) -> Finding | None:
     )
 
 
-@_check
-def asks_for_a_parameter(seen: Seen, when: str) -> Finding | None:
-    """Whether a node of ROS 1 has asked for a parameter. Nothing is said of one that has."""
-    if seen.parameters or not seen.interrupted:
-        return None
-    text = f"{when}: the node asked for no parameter."
-    return Finding(False, text, "`rospy.get_param` finds a parameter wherever it was set, in a launch file as well.")
-
-
-@_check
-def refuses(seen: Seen, when: str, name: str) -> Finding:
-    """Whether a node has refused a parameter in words, with a status other than 0 and without a traceback."""
-    look = f"Look at the {name} before you make the timer: write an error line, and end with `sys.exit(1)`."
-    if counters := seen.counters():
-        often = f"{len(counters)} time{'s' if len(counters) > 1 else ''} in {say(seen.seconds)}"
-        if any(timer.is_endless for timer in seen.timers):
-            often = "without a pause"
-        text = f"{when}: the node ticked anyway, {often}."
-        return Finding(False, text, f"A timer takes a {name} of 0, and then calls back without a pause. {look}")
-    if seen.errors:
-        return Finding(False, f"{when}: the {say_error(seen.errors[-1])}", look)
-    if seen.interrupted:
-        return Finding(False, f"{when}: the node kept running without ticking.", look)
-    if not seen.status:
-        ends = "Whatever started the node learns from its status whether all is well: end it with `sys.exit(1)`."
-        return Finding(False, f"{when}: the node ended with status 0, as if all were well.", ends)
-    said = [line.text.strip() for line in seen.printed if name in line.text.lower()]
-    if not said:
-        return Finding(False, f"{when}: no line says that the {name} is wrong.", look)
-    return Finding(True, f"{when}: the node said `{plain(said[0])}`, and ended with status {seen.status}.")
-
-
-def makes_passes_until_signalled(answer: Answer) -> Iterator[Finding]:
-    """Whether a loop of 2 Hz in ROS 2 makes its passes, and the node ends well by either signal."""
-    endings = []
-    for work, seconds in ((0.1, 3.3), (0.4, 3.05)):
-        when = f"With `work:={work}`"
-        seen = answer.run(seconds, f"work:={work}", has_to_end=False)
-        counters = seen.counters()
-        hint = ""
-        if len(counters) == 1 and seen.interrupted:
-            hint = "The first `sleep()` never returned. A Rate is a timer: who calls it back while the loop sleeps?"
-        elif len(counters) > 1 and abs(counters[1].time - 0.5 - work) < _CLOSE:
-            hint = "The work is a part of the period: shorten the pause by the time that the work takes."
-        elif counters and counters[0].time > _CLOSE:
-            hint = "The first pass begins immediately: the loop sleeps at its end, and a timer would wait for a period."
-        elif len(counters) > 1 and work > 0.1 and abs(counters[1].time - 0.4 - work) < _CLOSE:
-            hint = "The pause is the same whatever the work takes. Let it last for what is left of the period."
-        elif len(counters) > 1 and abs(counters[1].time - 0.5) > 0.05:
-            hint = "A Rate is given a frequency. Passes every 0.5 s are 2.0 a second."
-        finding = on_time(counters, grid(0.5, seconds, start=0.0), when, hint)
-        yield finding
-        endings.append(ends_well(seen, f"{when}, Ctrl-C"))
-        if not finding.right or seen.killed:
-            yield from endings
-            return
-    # SIGTERM first: if the loop is in the main part, catching exceptions there does not help.
-    yield from ending(6.3, ends_at_sigterm(3.3), when="SIGTERM", terminated_at=3.3)(answer)
-    yield from endings
-    yield from shaken(2, 3.3, ticks(0.5, start=0.0))(answer)
-
-
 # --- what it shares ---------------------------------------------------------------------------------------------------
-
-
-@_check
-def parts_add_up(seen: Seen, when: str, lock: str) -> Finding:
-    """Whether reports every 0.5 s add up to the parts, one every 0.1 s. The newest part may miss the report."""
-    start = f"{when}: " if when else ""
-    reports = seen.values("SPINNER PY NODE", "parts")
-    stuck = "Does a callback wait for a lock that nobody releases, or that it has already?"
-    total = 0
-    for number in range(1, 11):
-        due = 0.5 * number
-        if len(reports) < number or reports[number - 1].time > due + 0.1:
-            return Finding(False, f"{start}the report due at {say(due)} did not come.", stuck)
-        time, text, *_ = reports[number - 1]
-        reported = _as_whole(text)
-        if reported is None:
-            return Finding(False, f"{start}`parts = {plain(text)}` is not a number of parts.")
-        total += reported
-        passed = 5 * number
-        if total not in (passed - 1, passed):
-            wrong = "some are reported twice" if total > passed else "some are lost"
-            sums = f"the reports up to {say(time)} add up to {total}, but {passed} parts have passed"
-            return Finding(False, f"{start}{sums}: {wrong}.", lock)
-    if len(reports) > 10:
-        return Finding(False, f"{start}a report came at {say(reports[10].time)}; it should not have come.")
-    return Finding(True, "10 reports came, and they add up to the parts that have passed.")
-
-
-@_check
-def calls_add_up(seen: Seen, when: str) -> Finding:
-    """Whether the reports of a node that was held up, and lost ticks, add up to the calls of its callback.
-
-    The callback that counts is the one called most often. Its newest call may miss the report.
-    """
-    calls = max((timer.calls for timer in seen.timers), key=len, default=())
-    begun = {timer.number: timer.calls for timer in seen.timers}
-    total = 0
-    for time, text, timer, _ in seen.values("SPINNER PY NODE", "parts"):
-        total += _as_whole(text) or 0
-        began = max((call for call in begun.get(timer, ()) if call <= time), default=time)
-        least = sum(call < began - _CLOSE for call in calls) - 1
-        most = sum(call <= time for call in calls)
-        if not least <= total <= most:
-            text = f"{when}: the reports up to {say(time)} add up to {total}, but the parts were counted {most} times."
-            return Finding(False, text, "Report what the callback has counted: a tick that is lost counts no part.")
-    return Finding(True, f"the reports are right as well {when}.")
-
-
-@_check
-def one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
-    """Whether the camera takes its images one after the other, each in its time, as often as that allows."""
-    begun = [line for line in seen.values("CAMERA", "image") if line.time <= seen.seconds]
-    done = seen.values("CAMERA", "done")
-    what = f"{when}, the camera"
-    least = 5 if takes < 1 else 3
-    if len(begun) < least:
-        text = f"{what} took {len(begun)} images in {say(seen.seconds)}; it can take {least}."
-        return Finding(False, text, "The camera has to work as before: every second, or as often as its work allows.")
-    for image, later in pairwise(begun):
-        if not any(image.time <= line.time <= later.time for line in done):
-            text = f"{what} began image {later.text} at {say(later.time)}, while it still took image {image.text}."
-            reentrant = (
-                "In a `ReentrantCallbackGroup` calls of one timer may overlap; in the other kind they may not. And a "
-                "callback that returns too soon is called again."
-            )
-            return Finding(False, text, reentrant)
-    for number, image in enumerate(begun, 1):
-        end = next((line for line in done if line.text == image.text), None)
-        if image.text != str(number):
-            return Finding(False, f"{what}: where image {number} was due, image {plain(image.text)} began.")
-        if image.time + takes > seen.seconds:
-            continue
-        if end is None or abs(end.time - image.time - takes) > _CLOSE:
-            after = f"done after {say(end.time - image.time)}" if end else "never done"
-            text = f"{what}: image {number} was {after}, not after {say(takes)}."
-            return Finding(False, text, "Leave the time that an image takes as it is.")
-    if takes < 1 and (late := [line for n, line in enumerate(begun, 1) if abs(line.time - n) > _CLOSE]):
-        text = f"{what} began image {late[0].text} at {say(late[0].time)}, not at {say(float(late[0].text))}."
-        return Finding(False, text, "The camera has to work as before: every second.")
-    return Finding(True, f"{what} took {len(begun)} images, one after the other.")
 
 
 # --- what it asks -----------------------------------------------------------------------------------------------------
@@ -568,19 +344,19 @@ def answered(
 ) -> Finding:
     """Whether a service answered one request after the other, each in the time that it ``takes`` (s).
 
-    It is to be asked ``at`` these times (s), or else at least so many times, whenever that is. ``hint`` is for a
+    It should be asked ``at`` these times (s), or else at least so many times, whenever that is. ``hint`` is for a
     request that is not asked or not answered, ``overlap`` for one that is answered too soon.
     """
     start = f"{when}: " if when else ""
     calls = [call for call in seen.calls if call.service == service and call.asked < seen.seconds]
     if not calls:
-        return Finding(False, f"{start}`{service}` was never asked.", "The answer is to come from the service.")
+        return Finding(False, f"{start}`{service}` was never asked.", "The answer should come from the service.")
     wanted, same_often = at or [call.asked for call in calls], "How often it is asked is not to change."
     due = 0.0
     for number, time in enumerate(wanted):
-        if number >= len(calls) or calls[number].asked > time + _CLOSE:
+        if number >= len(calls) or calls[number].asked > time + CLOSE:
             return Finding(False, f"{start}`{service}` was not asked at {say(time)}.", hint)
-        if calls[number].asked < time - _CLOSE:
+        if calls[number].asked < time - CLOSE:
             text = f"{start}`{service}` was asked at {say(calls[number].asked)}, not at {say(time)}."
             return Finding(False, text, same_often)
         due = max(due, time) + takes
@@ -589,7 +365,7 @@ def answered(
         given = calls[number].answered
         if given is None:
             return Finding(False, f"{start}the request of {say(time)} to `{service}` was not answered.", hint)
-        if abs(given - due) > _CLOSE:
+        if abs(given - due) > CLOSE:
             text = f"{start}the request of {say(time)} to `{service}` was answered at {say(given)}, not at {say(due)}."
             return Finding(False, text, overlap if given < due else hint)
     if len(calls) > len(wanted):
@@ -601,60 +377,13 @@ def answered(
     return Finding(True, f"{start}`{service}` was asked {len(calls)} times, and each answer came in its turn.")
 
 
-def cancels(answer: Answer) -> Iterator[Finding]:
-    """Whether an action server cancels a goal within a step of 0.5 s, and else reaches it."""
-    for at, ends, length in (3.2, 3.5, 7), (2.2, 2.5, 5):
-        seen = answer.run(7.0, f"cancel_at:={at}", has_to_end=False)
-        yield _ended(seen, f"Cancelled at {at} s", "5", ends, length)
-    seen = answer.run(7.0, "cancel_at:=9.0")
-    yield _ended(seen, "Not cancelled", "4", 5.0, 10)
-
-
-_REACHED = {
-    "4": "The server went on to the end. In `execute_callback`, look at `is_cancel_requested` before each number.",
-    "6": "A goal is aborted if its callback says `goal.abort()`, fails, or returns without saying how it ended: "
-    "`goal.canceled()`, `goal.succeed()`.",
-}
-_REFUSED = "Unless it has a `cancel_callback` that returns `CancelResponse.ACCEPT`, a server cancels no goal."
-
-
-def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Finding:
-    """Whether the goal has ended at a time (s), with a status and so many numbers, which the client has printed."""
-    names = {"4": "reached (4)", "5": "cancelled (5)", "6": "aborted (6)"}
-    found, numbers = seen.values("CLIENT", "status"), seen.values("CLIENT", "numbers")
-    cancelled = [line for line in seen.values("CLIENT", "cancelling") if line.time <= seen.seconds]
-    if not found or not numbers:
-        hint = "Does `execute_callback` return a `Fibonacci.Result`? The client is to stay as it is."
-        return Finding(False, f"{when}: the client did not hear how the goal ended.", hint)
-    if found[0].text != status:
-        said = names.get(found[0].text, f"`{plain(found[0].text)}`")
-        hint = _REACHED.get(found[0].text, "Only a goal that is to be cancelled is: look before you call `canceled()`.")
-        asked = [line.text for line in seen.printed if "Error raised in execute callback" in line.text]
-        if asked:
-            hint = f"`execute_callback` failed: `{plain(asked[0].rpartition('callback: ')[2])}`."
-        elif status == "5" and not cancelled:
-            hint = "The client cancels the goal. It is to stay as it is."
-        elif found[0].text == "4" and numbers[0].text != "10":
-            hint = "It succeeded early: `goal.succeed()` in place of `goal.canceled()`, or a client that asks for less."
-        elif status == "5" and cancelled[0].text == "0":
-            hint = _REFUSED
-        return Finding(False, f"{when}: the goal was {said} at {say(found[0].time)}, not {names[status]}.", hint)
-    if abs(found[0].time - at) > _CLOSE:
-        text = f"{when}: the goal was {names[status]} at {say(found[0].time)}, not at {say(at)}."
-        return Finding(False, text, "Look before each number, and take 0.5 s for each, as before.")
-    if numbers[0].text != str(length):
-        text = f"{when}: the result has {plain(numbers[0].text)} numbers, not {length}."
-        return Finding(False, text, "Return the numbers that the server has, even if the goal is cancelled.")
-    return Finding(True, f"{when}: the goal was {names[status]} at {say(at)}, with {length} numbers.")
-
-
 # --- what it publishes ------------------------------------------------------------------------------------------------
 
 
 _EVERY = "Five times a second is once in 1 / 5 s. That is the period, which a timer is given."
 _SAME = "Both ends of a topic have to name the same type: otherwise they do not connect."
 _ONCE = (
-    "A publisher that was made just now is not connected to anybody in another process. Make it once, before the timer "
+    "A publisher that was made just now is not connected to any other process yet. Make it once, before the timer "
     "is made, and keep it: `self.publisher = ...` in `__init__`."
 )
 
@@ -676,22 +405,29 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
         unfilled = "A new message holds 0. Give it the counter: `UInt32(data=self.counter)`."
         yield Finding(False, "on `/counter`: each message holds 0, not a counter.", unfilled)
         return
-    on_topic = on_time(counters, wanted, "On `/counter`", _EVERY, told="publish")
+    on_topic = on_time(counters, wanted, "On `/counter`", for_times(counters, wanted, _EVERY), told="publish")
     yield on_topic
     publishers = [end.made for end in seen.ends_of("/counter", True)]
     heard = seen.values("LISTENER", "counter")
-    gone = "Nothing subscribes to `/counter` any more. Leave the listener as it is."
-    hint = _ONCE if seen.ends_of("/counter", False) else gone
+    listeners, hint = seen.ends_of("/counter", False), _ONCE
+    if not listeners:
+        hint = "Nothing subscribes to `/counter` any more. Leave the listener as it is."
+    elif listeners[0].refused:
+        hint = "The publisher offers less than the listener asks for: read the warnings. `10` is enough for both."
+    elif listeners[0].made > sent[0].time - CLOSE:
+        hint = f"The listener subscribes only at {say(listeners[0].made)}. Leave it as it is."
+    elif listeners[0].joined and not (heard and heard[0].text.isdigit()):
+        hint = "Leave the listener as it is: it prints `[LISTENER] counter = ` and the number in the message."
     by_listener = on_time(heard, wanted, "The listener", hint if on_topic.right else _EVERY)
     if on_topic.right and heard and heard[0].text != "1":  # it is lost on its way
         by_listener = by_listener._replace(hint=hint)
     if on_topic.right and any(line.timer for line in heard):
-        yield _called_itself("The listener")
+        yield called_itself("The listener")
     elif not (on_topic.right and by_listener.right):
         yield by_listener
     elif len(publishers) > 1:
         yield Finding(False, f"the node made {len(publishers)} publishers of `/counter`, where one would do.", _ONCE)
-    elif publishers[0] > sent[0].time - _CLOSE:
+    elif publishers[0] > sent[0].time - CLOSE:
         text = f"the publisher was made at {say(publishers[0])}, when its first message was already due."
         yield Finding(False, text, _ONCE)
     else:
@@ -703,7 +439,7 @@ def _unpublished(seen: Seen) -> Finding:
     others = dict.fromkeys(f"`{plain(message.topic)}`" for message in seen.sent)
     if others:
         text = f"nothing was published on `/counter`: it was published on {', '.join(others)}."
-        return Finding(False, text, "The topic of a publisher is that of the listener, letter by letter: `counter`.")
+        return Finding(False, text, "The publisher uses the listener's topic, letter by letter: `counter`.")
     made = [end for end in seen.ends if end.publishes and not end.topic.startswith("/rosout")]
     made = [end for end in made if end.topic != "/parameter_events"]
     text = "nothing was published on `/counter`: the node published nothing."
@@ -714,59 +450,37 @@ def _unpublished(seen: Seen) -> Finding:
         period = say(slow[0].period)
         text = f"nothing was published on `/counter` in {say(seen.seconds)}: the timer's period is {period}."
         return Finding(False, text, _EVERY)
-    return Finding(False, text, "There is a publisher, but nothing publishes with it. Let the timer's callback do so.")
+    return Finding(False, text, "There is a publisher, but nothing publishes with it. The timer's callback should.")
 
 
-def _called_itself(what: str) -> Finding:
+def called_itself(what: str) -> Finding:
     """Say that the callback of a subscription was called by the node itself."""
     text = f"{what}: its lines were printed in a call of a timer, not by the callback of a subscription."
     return Finding(False, text, "A topic carries the message: the subscription calls its callback when one has come.")
 
 
-@_check
-def arrives_once(seen: Seen, when: str, goal: str, at: float) -> Finding:
-    """Whether the listener, which subscribes at a time (s), hears the goal once, soon after."""
-    heard = seen.values("LISTENER", "goal")
-    if not heard:
-        sent = any(message.topic == "/goal" for message in seen.sent)
-        never = "The planner publishes nothing on `/goal`. It is to publish 7 there, once."
-        return Finding(False, f"{when}: the goal did not arrive.", "" if sent else never)
-    if wrong := [line.text for line in heard if line.text != goal]:
-        text = f"{when}: the goal {plain(wrong[0])} arrived, not {goal}."
-        return Finding(False, text, f"The goal is {goal}. What is published last is what is kept.")
-    if heard[0].time < at - _CLOSE or heard[0].timer:
-        text = f"{when}: the robot printed the goal at {say(heard[0].time)}, but no message had brought it."
-        return Finding(False, text, "The topic carries the goal: leave its callback to the subscription.")
-    if len(heard) > 1:
-        text = f"{when}: the goal arrived {len(heard)} times; a robot would start again each time."
-        return Finding(False, text, "Publish once, and let the publisher keep the message.")
-    if not at <= heard[0].time <= at + 0.5:
-        return Finding(False, f"{when}: the goal arrived only at {say(heard[0].time)}.")
-    return Finding(True, f"{when}: the goal arrived once, at {say(heard[0].time)}.")
+AS_IT_IS = "The sensor should stay as it is. Change how the controller listens to it."
 
 
-_AS_IT_IS = "The sensor is to stay as it is. Change how the controller listens to it."
-
-
-def _sensor_of(seen: Seen, qos: str) -> Finding | None:
+def sensor_of(seen: Seen, qos: str) -> Finding | None:
     """Find out whether ``/position`` has another publisher than the sensor's, with its QoS; None if it has not."""
     sensors = seen.ends_of("/position", True)
     if len(sensors) > 1:
-        return Finding(False, f"the sensor: `/position` has {len(sensors)} publishers, not one.", _AS_IT_IS)
+        return Finding(False, f"the sensor: `/position` has {len(sensors)} publishers, not one.", AS_IT_IS)
     if sensors and sensors[0].qos != qos:
         text = f"the sensor: its publisher now has {sensors[0].qos}, where it had {qos}."
-        return Finding(False, text, _AS_IT_IS)
+        return Finding(False, text, AS_IT_IS)
     return None
 
 
-def _unmatched(seen: Seen) -> Finding | None:
+def unmatched(seen: Seen) -> Finding | None:
     """Find out why no subscription to ``/position`` is connected, or one of several is not; None if all are."""
     ends = seen.ends_of("/position", False)
     refused = [end for end in ends if end.refused]
     if not ends:
         others = [end.topic for end in seen.ends if not end.publishes and end.topic != "/parameter_events"]
         where = f": it subscribes to `{plain(others[0])}`" if others else ""
-        hint = "The topic of the subscription is that of the publisher, letter by letter: `position`."
+        hint = "The subscription uses the publisher's topic, letter by letter: `position`."
         return Finding(False, f"the controller: nothing subscribes to `/position`{where}.", hint)
     if refused:
         text = f"the controller: a subscription with {refused[0].qos} does not match the sensor. Read the warnings."
@@ -786,36 +500,20 @@ _KEPT_TOO = (
 
 
 @_check
-def hears_all(seen: Seen, when: str, period: float, qos: str) -> Finding:
-    """Whether the controller hears each position immediately, one of which the sensor publishes each period (s).
-
-    ``qos`` is the sensor's. The subscription has to be connected to it, and no other end may be left that is not.
-    """
-    sent = [Printed(message.time, message.data) for message in seen.sent if message.topic == "/position"]
-    published = on_time(sent, grid(period, seen.seconds), "The sensor", _AS_IT_IS, "position")
-    if not published.right:
-        return published
-    if wrong := _sensor_of(seen, qos) or _unmatched(seen):
-        return wrong
-    heard = seen.values("CONTROLLER", "position")
-    if any(line.timer for line in heard):
-        return _called_itself("The controller")
-    as_it_comes = "Let the callback of the subscription print `[CONTROLLER] position = ` and the number in the message."
-    return on_time(heard, grid(period, seen.seconds), "The controller", as_it_comes, "position")
-
-
-@_check
 def steers_by_the_newest(seen: Seen, when: str, qos: str = "") -> Finding:
     """Whether the controller, whose computation takes 0.33 s, uses the newest of the positions, one every 0.1 s.
 
     ``qos`` is the sensor's, in ROS 2.
     """
-    sent = {_as_whole(message.data): message.time for message in seen.sent if message.topic == "/position"}
+    sent = {as_whole(message.data): message.time for message in seen.sent if message.topic == "/position"}
     steps = [line for line in seen.values("CONTROLLER", "position") if line.time <= seen.seconds]
+    if others := [(number, due) for number, due in zip(sent, count(1), strict=False) if number != due]:
+        number, due = others[0]
+        return Finding(False, f"the sensor published position {number}, where {due} was due.", AS_IT_IS)
     if len(sent) < 99:
         text = f"the sensor published {len(sent)} positions in {say(seen.seconds)}, not one every 0.1 s."
-        return Finding(False, text, f"{_AS_IT_IS} What calls it every 0.1 s has to be free to do so.")
-    if wrong := _unmatched(seen):
+        return Finding(False, text, f"{AS_IT_IS} What calls it every 0.1 s has to be free to do so.")
+    if wrong := unmatched(seen):
         return wrong
     steered = f"the controller steered {len(steps)} times"
     if len(steps) < 20:
@@ -824,11 +522,11 @@ def steers_by_the_newest(seen: Seen, when: str, qos: str = "") -> Finding:
         if longest > 0.5:
             hint = f"From one step to the next it took up to {say(longest)}. The computation takes 0.33 s."
         return Finding(False, f"{steered} in {say(seen.seconds)}; it can do so 20 times.", hint)
-    if short := [after for line, after in pairwise(steps) if after.time - line.time < 0.33 - _CLOSE]:
+    if short := [after for line, after in pairwise(steps) if after.time - line.time < 0.33 - CLOSE]:
         text = f"the controller steered again at {say(short[0].time)}, less than 0.33 s after the last time."
         return Finding(False, text, "Its computation takes 0.33 s, and the next one begins after that: leave both so.")
     for time, text, _, heard in steps:
-        number = _as_whole(text)
+        number = as_whole(text)
         made = None if number is None else sent.get(number)
         if made is None:
             said = f"`position = {plain(text)}` is not a position that the sensor has published."
@@ -836,16 +534,17 @@ def steers_by_the_newest(seen: Seen, when: str, qos: str = "") -> Finding:
         if heard not in ("", text):
             said = f"at {say(time)} the controller printed position {text}, but the message that it got held {heard}."
             return Finding(False, said, "The sensor could be in another process: what it says comes in the message.")
-        if time - made > 0.1 + _CLOSE:
+        if time - made > 0.1 + CLOSE:
             said = f"at {say(time)} the controller steered by position {text}, which was {say(time - made)} old."
-            return Finding(False, f"{said} A newer one had arrived.")
-    return _sensor_of(seen, qos) or Finding(True, f"{steered}, by the newest position each time.")
+            first = "A step begins with its line: print it first, and then compute." if time == steps[0].time else ""
+            return Finding(False, f"{said} A newer one had arrived.", first)
+    return sensor_of(seen, qos) or Finding(True, f"{steered}, by the newest position each time.")
 
 
 # --- numbers ----------------------------------------------------------------------------------------------------------
 
 
-def _as_number(text: str) -> float | None:
+def as_number(text: str) -> float | None:
     """Return a text as a number; None if it is no number, or not finite."""
     try:
         number = float(text)
@@ -854,6 +553,6 @@ def _as_number(text: str) -> float | None:
     return number if math.isfinite(number) else None
 
 
-def _as_whole(text: str) -> int | None:
+def as_whole(text: str) -> int | None:
     """Return a text of digits as a number; None for any other text."""
     return int(text) if text.isascii() and text.isdigit() and len(text) < 20 else None

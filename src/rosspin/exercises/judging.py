@@ -75,9 +75,9 @@ class Answer:
         """Run the answer as a node in simulated time, with a parameter ``given`` as in ``period:=0.5``.
 
         With a ``seed`` its threads take turns at any point; from ``stalls_at`` (s) on, nothing of it runs for a while.
-        Nodes that run ``beside`` it are processes of their own: "vehicle", "silent vehicle" (its sensor is, from 3 s to
+        The nodes in ``beside`` are processes of their own: "vehicle", "silent vehicle" (its sensor is, from 3 s to
         5 s) and "joystick" (:mod:`rosspin.vehicle.ros2`). If Ctrl-C comes earlier in the answer, ``interrupted_at``
-        (s), they go on to the end.
+        (s), they continue to the end.
 
         The check ends if the node cannot be run, if it fails with an error whose text lacks ``allowed``, or if it
         ``has_to_end`` and Ctrl-C does not end it. An exception with which Ctrl-C ends nodes of its ROS is no failure.
@@ -97,7 +97,7 @@ class Answer:
         return self._node(Request(seconds, self._args(given), terminated_at))
 
     def variables(self, *names: str) -> dict[str, Value]:
-        """Return those of these variables that the answer assigns. If it cannot be run, or fails, the check ends."""
+        """Return which of these variables the answer assigns. If it cannot be run, or fails, the check ends."""
         self._parse()
         seen = self._look(Request(0.0, variables=names))
         self._refuse(seen, (), "")
@@ -252,7 +252,7 @@ def hint_for_kept(seen: Seen) -> str:
 
 
 def not_python(error: Exception) -> tuple[str, str]:
-    """Return what to say about a text that Python cannot read, and how to go on."""
+    """Return what to say about a text that Python cannot read, and how to continue."""
     read = "Python could not read the answer, so nothing ran. The error may be in the line before."
     if not isinstance(error, SyntaxError):
         return f"This is not Python: {plain(str(error))}.", read

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import pkgutil
 import re
-import tomllib
-from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from .feedback import Finding
 from .judging import Answer, Judge, a_value, above, plain, say
@@ -14,7 +11,9 @@ from .seen import Value
 
 __all__ = ["chosen", "predicted", "same"]
 
-_TABLES: dict[str, Any] = tomllib.loads((pkgutil.get_data(__package__, "predictions.toml") or b"").decode())
+Prediction = tuple[str, Sequence[float], str, Mapping[tuple[float, ...], str]]
+"""What a variable stands for, in words; the right numbers; the hint for whoever gives others; and the numbers that
+follow from wrong beliefs, with what to say to whoever holds one (no more than the hint if that is empty)."""
 
 # What can be asked for: how to say one number, what to call a list of them, and an example.
 _ASKED = {
@@ -26,19 +25,13 @@ _NTH = ("the first", "the second", "the third", "the fourth")
 _LEAST = 3  # of so many numbers it is said which one is wrong
 
 
-def predicted(name: str, asked: str = "times") -> Judge:
-    """Judge whether variables are lists of the right numbers: "times" (s), "counters" or "numbers", as ``asked``.
-
-    ``name`` is the exercise's in ``predictions.toml``. A table there is a variable: what it stands for, in words; the
-    ``right`` numbers; and numbers that follow from a wrong belief, with what to say to whoever holds it. The hint is
-    for whoever gives other numbers.
-    """
-    predictions = _TABLES[name]
+def predicted(asked: str = "times", /, **predictions: Prediction) -> Judge:
+    """Judge whether variables are lists of the right numbers: "times" (s), "counters" or "numbers", as ``asked``."""
 
     def judge(answer: Answer) -> Iterator[Finding]:
         variables = answer.variables(*predictions)
-        for variable, table in predictions.items():
-            value, what = variables.get(variable), table["what"]
+        for variable, prediction in predictions.items():
+            value, what = variables.get(variable), prediction[0]
             if value is None or value.is_open:
                 yield Finding(None, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of {asked}.")
             elif value.numbers is None:
@@ -49,23 +42,23 @@ def predicted(name: str, asked: str = "times") -> Judge:
                 text = f"{what}: the prediction is a list of {listed}, not {other}."
                 yield Finding(False, text, f"Write it as `{example}`.")
             else:
-                yield _compare(value.numbers, table, asked)
+                yield _compare(value.numbers, prediction, asked)
 
     return judge
 
 
-def _compare(given: Sequence[float], table: Any, asked: str) -> Finding:
-    what, hint, right = table["what"], table["hint"], table["right"]
+def _compare(given: Sequence[float], prediction: Prediction, asked: str) -> Finding:
+    what, right, hint, beliefs = prediction
     say_one = _ASKED[asked][0]
     said = ", ".join(map(say_one, given)) or "nothing at all"
     if same(given, right):
         return Finding(True, f"{what}: {said}.")
-    why = next((why for why, wrong in table["wrong"].items() if any(same(given, each) for each in wrong)), "")
-    if not why and len(given) != len(right) >= _LEAST:
+    why = next((why for wrong, why in beliefs.items() if same(given, wrong)), None)
+    if why is None and len(given) != len(right) >= _LEAST:
         return Finding(False, f"{what}: {len(right)} {asked} are asked for, not {len(given)}.", hint)
     pairs = zip(given, right, strict=False)
     first = next((n for n, (one, other) in enumerate(pairs) if not same([one], [other])), min(len(given), len(right)))
-    known = why or first >= len(given) or len(right) < _LEAST
+    known = why is not None or first >= len(given) or len(right) < _LEAST
     text = f"not {said}" if known else f"{_NTH[first]} of these {asked} is not {say_one(given[first])}"
     return Finding(False, f"{what}: {text}.", why or hint, _beside(given, right, first, say_one))
 
@@ -83,16 +76,12 @@ def _beside(
 
 
 def same(one: Sequence[float], other: Sequence[float]) -> bool:
-    """Whether two lists have the same numbers, as precisely as anybody means them."""
+    """Whether two lists have the same numbers, as precisely as a reader means them."""
     return len(one) == len(other) and all(abs(a - b) < 0.01 for a, b in zip(one, other, strict=True))
 
 
-def chosen(name: str) -> Judge:
-    """Judge whether variables are the right letters.
-
-    ``name`` is the exercise's in ``predictions.toml``, where ``choices`` say what would be seen if a letter were right.
-    """
-    right, choices = _TABLES[name]["right"], _TABLES[name]["choices"]
+def chosen(choices: Mapping[str, str], /, **right: str) -> Judge:
+    """Judge whether variables are the right letters. ``choices`` say what would be seen if a letter were right."""
 
     def judge(answer: Answer) -> Iterator[Finding]:
         variables = answer.variables(*right)

@@ -61,7 +61,7 @@ _LONGEST_LINE = 1000
 _LEAST_LINE = 20  # besides its text
 _MOST = 100
 
-# The nodes that can run beside an answer, by the ROS and the name.
+# The nodes that can run together with an answer, by the ROS and the name.
 _BESIDE: dict[tuple[int, str], NodeLike] = {
     (2, "vehicle"): ros2.vehicle,
     (2, "silent vehicle"): partial(ros2.vehicle, silent=(3.0, 5.0)),
@@ -124,10 +124,10 @@ class _Watched(ExploredSimulation):
         self.timers: list[SeenTimer] = []
         self.parameters: tuple[str, ...] = ()
         self.cut = False
-        self.world: World | None = None  # that of the answer, as soon as it runs
+        self.world: World | None = None  # the answer's, as soon as it runs
         self._ros = ros
         self._timers: dict[int, tuple[int, Any]] = {}  # the timers met so far and their numbers, by id
-        self._sleeps: Counter[tuple[int, int]] = Counter()
+        self._sleeps: Counter[tuple[int, int, bool]] = Counter()
         self._whole = True  # whether the last line was printed to its end
         self._left = _ROOM  # so many characters may still be printed
         self.at(nanoseconds(until), self._note_timers)  # before Ctrl-C, which comes at the same time
@@ -154,9 +154,9 @@ class _Watched(ExploredSimulation):
         """Let time pass at a time (s) while nothing runs, as on a machine that is busy with something else."""
         self.at(nanoseconds(at), lambda: self._move(self.now() + nanoseconds(_STALL)))
 
-    def loops(self) -> list[int]:
-        """Return the lines of the answer in which something other than a timer's callback slept again and again."""
-        return sorted({line for (_, line), count in self._sleeps.items() if count >= _LOOPS})
+    def sleeps(self, of_timers: bool) -> list[int]:
+        """Return the lines of the answer in which timers' callbacks, or else all others, slept again and again."""
+        return sorted({line for (_, line, of), count in self._sleeps.items() if count >= _LOOPS and of is of_timers})
 
     def sleep(self, ns: int) -> None:
         self._note_sleep(sys._getframe())
@@ -199,8 +199,8 @@ class _Watched(ExploredSimulation):
             if frame.f_code in self._ros.WAITING:
                 return
             frame = frame.f_back
-        if frame and self._caller(frame)[0] is None:
-            self._sleeps[threading.get_ident(), frame.f_lineno] += 1
+        if frame:
+            self._sleeps[threading.get_ident(), frame.f_lineno, self._caller(frame)[0] is not None] += 1
 
     def _stop_if_endless(self) -> None:
         """Press Ctrl-C if a timer is called without a pause: what it does a thousand times says no more."""
@@ -329,7 +329,8 @@ class Runner:
             request.seconds,
             printed,
             timers,
-            tuple(clock.loops()[:_MOST]),
+            tuple(clock.sleeps(of_timers=False)[:_MOST]),
+            tuple(clock.sleeps(of_timers=True)[:_MOST]),
             ends,
             clock.parameters,
             sent,
@@ -414,7 +415,7 @@ def _frames(error: BaseException) -> Iterator[tuple[CodeType, int]]:
 
 def _hint_for(error: Exception) -> str:
     if isinstance(error, TimeStandsStill):
-        return "Something goes on without ever sleeping: a loop without a `sleep()`, or a period of 0."
+        return "Something runs without ever sleeping: a loop without a `sleep()`, or a period of 0."
     if isinstance(error, NotSimulated):
         return "Timers, rates, sleeps, topics, services, in ROS 2 actions, and log lines are all that an answer needs."
     return ""

@@ -63,7 +63,7 @@ class Error(NamedTuple):
 
     ``said`` is the traceback's last line, ``line`` the line of the answer that raised it, or 0. ``whose`` is what it
     ended: "node", "thread", "timer" or "shutdown hook". ``ending`` says whether Ctrl-C may end a node of this ROS with
-    it. ``hint`` says how to go on; it is empty if nothing is known.
+    it. ``hint`` says how to continue; it is empty if nothing is known.
     """
 
     type: str
@@ -115,19 +115,21 @@ class Seen(NamedTuple):
     """What an answer did in one run of ``seconds``.
 
     ``printed`` are the lines that it printed, even after Ctrl-C; ``timers`` are those that it had started by then.
-    ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again.
+    ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again,
+    ``naps`` those in which such callbacks did.
     ``ends`` are its publishers and subscriptions, ``parameters`` those that it had declared in ROS 2, or asked for in
     ROS 1, ``sent`` the messages that it published, ``calls`` the requests to its services. ``status`` is its exit
     status, ``errors`` are the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until
     Ctrl-C. If it had to be killed, ``kept_at`` is where it was, and ``kept_by_rate`` says that it waited for a Rate of
     ROS 2 and nothing else. ``variables`` are the names and values of those requested variables that it has. If a
-    vehicle ran beside it, ``drive`` is what that did.
+    vehicle ran with it, ``drive`` is what that did.
     """
 
     seconds: float
     printed: tuple[Printed, ...]
     timers: tuple[SeenTimer, ...]
     loops: tuple[int, ...]
+    naps: tuple[int, ...]
     ends: tuple[SeenEnd, ...]
     parameters: tuple[str, ...]
     sent: tuple[Sent, ...]

@@ -1,6 +1,6 @@
 """Write down what the runs of an answer showed, and read it again in another Python.
 
-A trace may come from anybody. It is refused unless all of it has the right types, and is finite and small. Whether it
+A trace may come from anywhere. It is refused unless all of it has the right types, and is finite and small. Whether it
 describes the runs of this answer cannot be seen: an answer that takes over the Python in which it runs can write down
 whatever it likes.
 """
@@ -37,8 +37,8 @@ class Request(NamedTuple):
 
     SIGTERM may come before Ctrl-C, at ``terminated_at`` (s). With a ``seed`` the threads take turns at any point. From
     ``stalls_at`` (s) on, nothing of the answer runs for a while. ``variables`` are the names of variables to report.
-    ``beside`` are the other nodes, each a process of its own, which go on if Ctrl-C comes at ``interrupted_at`` (s) in
-    the answer alone.
+    ``beside`` are the other nodes, each a process of its own, which continue if only the answer gets Ctrl-C, at
+    ``interrupted_at`` (s).
     """
 
     seconds: float
@@ -52,7 +52,7 @@ class Request(NamedTuple):
 
 
 class Failure(NamedTuple):
-    """Why an answer could not be run, and how to go on."""
+    """Why an answer could not be run, and how to continue."""
 
     text: str
     hint: str

@@ -117,7 +117,7 @@ class Service(Fault):
     ``request_delay`` and ``response_delay`` are how long they take, or the least and the most, between which that is
     drawn; they keep their order. ``request_drop`` and ``response_drop`` are how likely they are lost, from 0 to 1. As
     of a :class:`Topic`, only best effort loses messages, and services are reliable unless a profile says otherwise on
-    either side; a call that never gets an answer is also that of a service whose process dies: :class:`Crash`.
+    either side; a service whose process dies never answers, either: :class:`Crash`.
     ``client`` is the node whose calls are meant; without it, all are.
 
     An action of ROS 2 has services, too: ``/fibonacci/_action/send_goal``. A response reaches a test immediately.

@@ -52,7 +52,7 @@ def _span(delay: float | tuple[float, float]) -> tuple[float, float]:
 
 
 class Engine:
-    """The faults of one run. ``worlds()`` are those of its processes so far, ``graphs()`` the graphs of its ROSes.
+    """The faults of one run. ``worlds()`` are its processes' so far, ``graphs()`` the graphs of its ROSes.
 
     Raises TypeError for what is no list of faults, ValueError for a time on a clock that begins too late for it.
     """
@@ -72,7 +72,7 @@ class Engine:
         self._faults = checked(faults)
         self._worlds, self._graphs = worlds, graphs
         self._happened: set[int] = set()  # the identities of those that have done something
-        self._carried: Counter[int] = Counter()  # messages that those of topics could befall, by their identities
+        self._carried: Counter[int] = Counter()  # messages that a topic's faults could befall, by their identities
         self._wires: Counter[tuple[str, str, str]] = Counter()
         self._late: set[tuple[int, frozenset[str]]] = set()  # which pairs of nodes a fault has made late
         self._called: dict[str, dict[str, None]] = {}  # by node: the callbacks that were called
@@ -97,7 +97,7 @@ class Engine:
         self.recording.add_mishap(*words, **more)
 
     def fits(self, until: int) -> None:
-        """Raise ValueError for what is to happen after the end of the run, ``until`` (ns after its start)."""
+        """Raise ValueError for what should happen after the end of the run, ``until`` (ns after its start)."""
         for fault in self._faults:
             if isinstance(fault, (Crash, ClockJump)) and nanoseconds(fault.at) > until:
                 raise ValueError(f"{fault!r}: the run ends before, at {until / NS:g} s")
@@ -109,8 +109,8 @@ class Engine:
     ) -> Wire | None:
         """Return what carries messages from one node to another, whose world is given; None if nothing befalls them.
 
-        They are those of the topic ``name`` or, of a service, its "request" or "response", the ``part``. ``reliable``
-        is that of a pair of ROS 2; None is TCP. The run ends with ValueError for what they cannot do.
+        They are for the topic ``name`` or, for a service, its "request" or "response", the ``part``. ``reliable``
+        says it of a pair in ROS 2; None is TCP. The run ends with ValueError for what they cannot do.
         """
         found = [leg for fault in self._faults if (leg := _leg(fault, name, sender, receiver, part))]
         if not found or TESTER == receiver:
@@ -149,7 +149,7 @@ class Engine:
 
     @property
     def slows(self) -> bool:
-        """Whether callbacks are to be told before each call."""
+        """Whether callbacks should be told before each call."""
         return bool(self._of(Slow) or self._of(Jitter))
 
     def _draw(self, fault: Jitter) -> int:
@@ -319,20 +319,20 @@ def _why_not(leg: _Leg, sender: str, receiver: str, reliable: bool | None, part:
         said = f"{sender} sends to {receiver} over TCP, as all of ROS 1 does, which loses nothing and keeps the order. "
         if part:
             return (
-                f"{said}{loses}, or let the service die: Crash({(receiver if part == 'request' else sender)!r}, at=...)"
+                f"{said}{loses}, or crash the service: Crash({(receiver if part == 'request' else sender)!r}, at=...)"
             )
         return (
             f"{said}{loses}; rospy loses messages only where they come faster than a callback takes them and "
             f"queue_size is small: Slow({receiver!r}, callback=..., by=...)"
         )
     best_effort = (
-        "the client and the service be best effort, as with qos_profile_sensor_data"
+        "the client and the service best effort, as with qos_profile_sensor_data"
         if part
-        else "the subscription be best effort, as with qos_profile_sensor_data"
+        else "the subscription best effort, as with qos_profile_sensor_data"
     )
     return (
         f"the connection from {sender} to {receiver} is reliable: what is lost on its way is sent again, comes late, "
-        f"and in order. {loses}, or let {best_effort}"
+        f"and in order. {loses}, or make {best_effort}"
     )
 
 

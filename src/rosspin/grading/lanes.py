@@ -41,7 +41,7 @@ class Task(NamedTuple):
     text: str
 
 
-# The number of a task, and what came of it if it is to be judged.
+# The number of a task, and what came of it if it should be judged.
 _Job = tuple[int, Task, str | None]
 
 

@@ -162,7 +162,7 @@ def _read_node(name: str, text: str) -> HandIn:
     for found in (stem, re.sub(r"( \(\d+\)|-\d+)$", "", stem)):
         if found in known:
             return HandIn({found: text})
-    raise Refused("neither its name nor its first line is that of an exercise, such as slow-timer.py")
+    raise Refused("neither its name nor its first line names an exercise, as slow-timer.py does")
 
 
 def _cells_of_notebook(data: bytes) -> Iterator[str]:

@@ -156,7 +156,7 @@ def say_unsealed(found: Class) -> str:
 
 
 def say_python(found: Class) -> str:
-    """Say so if answers were no Python to this one, and could be to that of the page."""
+    """Say so if answers were no Python to this one, and could be to the page's."""
     if sys.version_info >= PAGE_PYTHON:
         return ""
     count = sum(" is not Python: " in verdict.why for row in found.rows for verdict in row.verdicts.values())
@@ -164,4 +164,4 @@ def say_python(found: Class) -> str:
         return ""
     mine, page = (".".join(map(str, version)) for version in (sys.version_info[:2], PAGE_PYTHON))
     answers = f"{count} answer{' is' if count == 1 else 's are'}"
-    return f"{answers} no Python to this Python {mine}; that of the page is {page}, and newer ones read more."
+    return f"{answers} no Python to this Python {mine}; the page's is {page}, and newer ones read more."

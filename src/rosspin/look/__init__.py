@@ -29,7 +29,7 @@ Progress = Callable[[float], None]
 class Look:
     """What was found in a log.
 
-    ``name`` is that of the file, ``kind`` console, table or bag, ``ros`` 1 or 2, ``start`` when it begins (ns since the
+    ``name`` is the file's, ``kind`` console, table or bag, ``ros`` 1 or 2, ``start`` when it begins (ns since the
     epoch), and ``seconds`` how long it is. ``notes`` are sentences on what was not read. The ``series`` are the lines,
     tables or topics that repeat, the most frequent first; the ``verdicts``, at least one, are what they show, what
     matters most first.

@@ -106,7 +106,7 @@ class _Stream:
         self._progress = progress
         self._top = top or self
         self._steps = self._read = 0
-        self._size = 0  # of what can be passed over unread; that of a pipe is not known
+        self._size = 0  # of what can be passed over unread; unknown for a pipe
         if top is None and file.seekable():
             at = file.tell()
             self._size = file.seek(0, io.SEEK_END)
@@ -190,7 +190,7 @@ class _Section(io.RawIOBase):
 
 
 def _mcap(stream: _Stream, topics: _Topics | None = None) -> Iterator[_Message]:
-    """Read records, or with ``topics`` those of a chunk."""
+    """Read records, or with ``topics`` a chunk's."""
     inside, topics = topics is not None, _Topics() if topics is None else topics
     while head := stream.begin(9):
         kind, size = unpack("<BQ", head)
@@ -209,7 +209,7 @@ def _mcap(stream: _Stream, topics: _Topics | None = None) -> Iterator[_Message]:
             if how:
                 with stream.unpacked(packed, how) as chunk:
                     yield from _mcap(chunk, topics)
-            # Else its records follow, like those of the file.
+            # Else its records follow, like the file's.
         elif kind in (0x02, 0x0F):  # Footer, Data End: what follows says it all again
             return
         elif kind in (0x00, 0x06):
@@ -221,7 +221,7 @@ def _mcap(stream: _Stream, topics: _Topics | None = None) -> Iterator[_Message]:
 
 
 def _bag(stream: _Stream, topics: _Topics | None = None) -> Iterator[_Message]:
-    """Read the first line and then the records, or with ``topics`` those of a chunk."""
+    """Read the first line and then the records, or with ``topics`` a chunk's."""
     inside, topics = topics is not None, _Topics() if topics is None else topics
     if not inside:
         version = stream.take(5)

@@ -51,7 +51,7 @@ class Verdict:
 
     @property
     def page(self) -> str:
-        """What explains it, in words and with a figure: an address below that of the site."""
+        """What explains it, in words and with a figure: an address within the site."""
         return f"docs/how-to/look-at-your-log.html#look-{self.name}"
 
 
@@ -318,7 +318,7 @@ class _Diagnosis:
         if starter := self._starter(node, windows):
             series, where, hits = starter
             evidence.append(f"“{series.name}” came {where} {hits} of these {len(windows)}.")
-            evidence.append("While that callback works, those of the same thread or group wait.")
+            evidence.append("While that callback works, the others of its thread or group wait.")
             self.say("blocked", "sure" if hits > 2 else "likely", evidence, dict.fromkeys([series, *lines]))
         elif len(lines) == 1:
             self._one_line(lines[0], windows, evidence)
@@ -438,7 +438,7 @@ def _doubt(series: Series) -> str:
         late = say_time(quantile([abs(late) for late in series.late], 0.98) / NS)
         why = f"98% of {len(series.times)} are within no less than {late} of a grid of {NS / series.period:.4g} Hz"
     elif series.is_quantised:
-        why = "its periods have two lengths, as those of a line that is logged only now and then (throttled)"
+        why = "its periods have two lengths, as of a line that is logged only now and then (throttled)"
     return f"“{series.name}”: regular, but {why}."
 
 

@@ -115,7 +115,7 @@ def test_the_line_keeps_its_period(line):
 def as_files(found: Look) -> dict[str, str]:
     """Write a node that logs the regular lines of a log as they should come, and a pytest test that it passes.
 
-    Returns the texts by the names of the files; none if nothing in the log is regular. The lines are those of one
+    Returns the texts by the names of the files; none if nothing in the log is regular. The lines are from one
     node, namely of the first verdict; of a table or a bag, the line is of our making. The period is the one that the
     log has, or where a sleep came after the work, the one that was meant. So late as 98% of the log's lines they may
     be, but no later than a tenth of the period; at least 1 ms.

@@ -1,6 +1,6 @@
 """Read a stranger's log: what it says, when, and who said so.
 
-A log is the console of ROS 1 or ROS 2, also with colours, under a launch, or pasted with what stood around it; a table
+A log is the console of ROS 1 or ROS 2, also with colours, under a launch, or pasted with what was around it; a table
 of ``ros2 topic echo --csv`` or ``rostopic echo -p``; or a bag, which :mod:`.bags` reads.
 """
 
@@ -20,7 +20,7 @@ NS = 10**9
 # Of a longer file only this much is read, in bytes: some 200,000 lines, which take some seconds.
 LIMIT = 16_000_000
 
-# Since when (ns) times are those of the wall clock, and not of a simulated one, which begins near 0.
+# Since when (ns) times are of the wall clock, and not of a simulated one, which begins near 0.
 _EPOCH_BEGINS = 10**9 * NS
 
 # Of a text, no more lines than these are looked at, and of a line no more characters.
@@ -211,8 +211,8 @@ def _no_times(untimed: int) -> str:
             "RCUTILS_CONSOLE_OUTPUT_FORMAT or put {time} into it; in ROS 1, ROSCONSOLE_FORMAT and ${time}"
         )
     return (
-        "no line has a time stamp. Lines of print() have none: log with get_logger().info() or rospy.loginfo(), or let "
-        "a tool put one before each line, as in: … | ts '%Y-%m-%d %H:%M:%.S'"
+        "no line has a time stamp. Lines of print() have none: log with get_logger().info() or rospy.loginfo(), or "
+        "use a tool that puts one before each line, as in: … | ts '%Y-%m-%d %H:%M:%.S'"
     )
 
 

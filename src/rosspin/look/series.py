@@ -114,12 +114,12 @@ class Series:
 
     @property
     def is_even(self) -> bool:
-        """Whether nearly all entries are near the grid, as those of a timer on an idle machine."""
+        """Whether nearly all entries are near the grid, as a timer's are on an idle machine."""
         return quantile([abs(late) for late in self.late], 0.98) <= max(0.25 * self.period, 3 * MS)
 
     @property
     def is_quantised(self) -> bool:
-        """Whether periods have two lengths and none between, as those of a line that is logged now and then only."""
+        """Whether periods have two lengths and none between, as for a line that is logged now and then only."""
         steps = sorted(b - a for a, b in pairwise(self.times) if 0.5 * self.period < b - a < 1.5 * self.period)
         width, at = max((b - a, n) for n, (a, b) in enumerate(pairwise(steps), 1)) if len(steps) > 1 else (0, 0)
         return (

@@ -87,7 +87,7 @@ def find_windows(rows: Sequence[Series], leave_out: Callable[[Series, Gap], bool
     """Put the gaps of all regular lines together that are at the same time. Some are left out, and single hiccups."""
     gaps = []
     for series in _leading(rows):
-        own = [gap for gap in series.gaps if gap.at > 5 and not leave_out(series, gap)]  # not those of the start
+        own = [gap for gap in series.gaps if gap.at > 5 and not leave_out(series, gap)]  # not at the start
         least = max(series.period, _HICCUP)
         if sum(gap.excess < least for gap in own) <= max(2, 0.01 * len(series.times)):
             own = [gap for gap in own if gap.excess > min(least, _HICCUP)]

@@ -36,7 +36,7 @@ class Messages(ABC, Generic[T]):
         return self._whole[key]
 
     def _find(self, name: str, around: tuple[str, ...]) -> type[T]:
-        """A class, made after those of its fields; ``around`` are the messages that hold it."""
+        """A class, made after its fields' classes; ``around`` are the messages that hold it."""
         if name not in self._classes:
             definition = self.library.definition(name)
             for field in definition.fields:

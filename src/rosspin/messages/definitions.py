@@ -1,6 +1,6 @@
 """The text of a message definition, read line by line: a ``.msg`` file, or a part of a ``.srv`` or ``.action`` file.
 
-The grammar of ROS 1 is genmsg's (source: genmsg/msg_loader.py and msgs.py), that of ROS 2 is rosidl's (source:
+The grammar of ROS 1 is genmsg's (source: genmsg/msg_loader.py and msgs.py), ROS 2's is rosidl's (source:
 rosidl_adapter/parser.py): ROS 2 has bounds and default values, ROS 1 has ``time``, ``duration`` and ``Header``.
 """
 
@@ -54,7 +54,7 @@ class DefinitionError(SyntaxError):
 class Kind:
     """The type of a field.
 
-    ``base`` is a built-in type or a message with its package. ``length`` is that of a fixed array, else None; ``bound``
+    ``base`` is a built-in type or a message with its package. ``length`` is a fixed array's, else None; ``bound``
     and ``size`` are the greatest length of an array and of a string, if there is one.
     """
 

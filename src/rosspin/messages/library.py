@@ -53,7 +53,7 @@ DEEPEST = 4  # how many folders below src packages are looked for: a node may li
 
 
 class Library:
-    """The definitions that a node can import: those of ROS 1 or 2, and its own packages'.
+    """The definitions that a node can import: ROS 1's or 2's, and its own packages'.
 
     ``folder`` is the node file's. As ROS does, a file's package is the nearest folder upwards that has a package.xml;
     its workspace is the folder ``src`` around it, where the other packages are, up to four folders deep and not inside
@@ -71,7 +71,7 @@ class Library:
     def names(self, package: str, folder: str = "msg") -> list[str]:
         """The names of a package's messages, sorted, without the package; none if it is not there.
 
-        Those of its services are in the ``folder`` srv, those of its actions in action. In ROS 1, what is made of an
+        Its services' are in the ``folder`` srv, its actions' in action. In ROS 1, what is made of an
         action is messages.
         """
         key = (package, folder)

@@ -167,7 +167,7 @@ class Service:
 def transfer(message: Message, data_class: type[M]) -> M:
     """Make the message that a subscriber with this class receives: a new one, as it comes off the wire.
 
-    Floats of 32 bits are rounded, arrays of numbers are tuples, those of uint8 bytes. Raises SerializationError, or
+    Floats of 32 bits are rounded, arrays of numbers are tuples, of uint8 bytes. Raises SerializationError, or
     whatever else ``serialize`` raises, for a message that cannot be sent.
     """
     buffer = io.BytesIO()

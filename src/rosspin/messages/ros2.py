@@ -1,7 +1,7 @@
 """Message classes as rosidl generates them for Python (measured on Jazzy; source: rosidl_generator_py's templates).
 
 Fields are always checked when they are set, as with ROS_PYTHON_CHECK_FIELDS=1: unchecked, as rosidl's are by default, a
-wrong value arrives as garbage. Arrays of numbers are ``array.array``; those of a fixed length are numpy's where numpy
+wrong value arrives as garbage. Arrays of numbers are ``array.array``; with a fixed length they are numpy's where numpy
 can be imported, as in ROS 2, and ``array.array`` elsewhere.
 
 PYTEST_DONT_REWRITE: the assertions say what they say on a real ROS.

@@ -21,7 +21,7 @@ _WIDTH = 60
 
 
 def instants(usual: Order, failing: Order, start: int = 0) -> list[Instant]:
-    """Return where two orders are to be compared, after a run in each, from ``start`` (ns) on, that noted its turns."""
+    """Return where two orders should be compared, after a run in each, from ``start`` (ns) on, that noted its turns."""
     columns = [_by_time(order.turns or ()) for order in (usual, failing)]
     several = len({turn.filename for column in columns for turns in column.values() for turn in turns}) > 1
     times = dict.fromkeys(deviation.time for deviation in failing.said)

@@ -106,8 +106,8 @@ def explore(
 
     ``node``, ``seconds``, ``args`` and ``faults`` are as for :func:`simulate`. A run fails if ``check(run)`` raises an
     exception, if an exception is uncaught in any thread, if a node that no fault has killed ends with a status other
-    than 0 (or 130, after Ctrl-C), if a node does not end at Ctrl-C, if time stands still, or if something waits for
-    ever. Exploring ends with the first that fails, or after so many ``schedules``, of which the first is the usual
+    than 0 (or 130, after Ctrl-C), if a node does not end at Ctrl-C, if time stands still, or in a deadlock.
+    Exploring ends with the first that fails, or after so many ``schedules``, of which the first is the usual
     order.
 
     What may happen in another order is what ROS leaves open:
@@ -140,7 +140,7 @@ def explore(
 
     Raises what :func:`simulate` raises but TimeStandsStill; TypeError for a ``check`` that cannot be called, for what
     is no executor, and for what cannot be sent to its processes; ValueError for an unknown strategy, for ``schedules``
-    below 1, for a ``seed`` that is no whole number, and for a function, or a launch file of ROS 2, that is to be
+    below 1, for a ``seed`` that is no whole number, and for a function, or a launch file of ROS 2, that should be
     explored ``deep``. Among several nodes, functions are explored as without it.
     """
     _refuse(schedules, strategy, seed)
@@ -425,7 +425,7 @@ def explored(
     the usual order first. If it fails in another one, the shortest such order is looked for, and the failure is that
     one's; its last lines name the order. With that as ``schedule`` the test is run in this order alone.
 
-    The arguments are those of :func:`explore`, which also says what may differ. Besides, what the test publishes, calls
+    The arguments are as for :func:`explore`, which also says what may differ. Besides, what the test publishes, calls
     or sends as a goal, right after a step whose result it does not use, may come before what is due at that instant.
     Raises TypeError for a test without
     ``start_node``, and ValueError as :func:`explore` does, or if the ``schedule`` is none of this test.

@@ -223,7 +223,7 @@ def with_handle(
     """Plot a timeline that the reader of a page moves: ``runs`` are the ticks for each position of a handle.
 
     ``label`` and ``unit`` say what the position is. ``at`` is the position shown first, and the only one in print or
-    without the page's script, which draws the others. ``period`` and ``kinds`` are those of :func:`timeline`; with a
+    without the page's script, which draws the others. ``period`` and ``kinds`` are as in :func:`timeline`; with a
     period, each row says whether the grid was kept and how many ticks were lost. ``sets`` names the variable that has
     the position as its value in the code next to the plot.
 

@@ -1,6 +1,6 @@
 """Where a timeline has what: its rows, the lanes and heights of its marks, and the numbers of its axis.
 
-Both drawings go by this: matplotlib's, and that of a page while a run lasts or a handle moves, whose script has the
+Both drawings go by this: matplotlib's, and a page's while a run lasts or a handle moves, whose script has the
 same constants, by :mod:`rosspin.site.rules`, and rules that a test compares with these.
 """
 

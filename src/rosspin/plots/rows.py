@@ -134,7 +134,7 @@ def draw_rows(
     times: Iterable[float],
     faults: Sequence[Row] = (),
 ) -> Axes:
-    """Draw the rows, and then those of ``faults``.
+    """Draw the rows, and then one for each of ``faults``.
 
     The axis of time begins with the run and has room for these ``times``, too.
     """

@@ -70,7 +70,7 @@ class Drive(NamedTuple):
 
     @property
     def dashes(self) -> str:
-        """The overdue stretches, as an SVG dash array; the path's length is that of the run."""
+        """The overdue stretches, as an SVG dash array; the path is as long as the run."""
         times = [time for both in self.overdue for time in both]
         return " ".join(f"{b - a:.4g}" for a, b in pairwise([0, 0, *times, 2 * SECONDS]))
 

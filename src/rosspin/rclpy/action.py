@@ -239,7 +239,7 @@ class ServerGoalHandle:
 
     @property
     def is_cancel_requested(self) -> bool:
-        """Whether it is to be cancelled, and still active."""
+        """Whether it should be cancelled, and still active."""
         return self._rosspin_status is _Status.CANCELING
 
     @property

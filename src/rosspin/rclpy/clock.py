@@ -109,12 +109,12 @@ class JumpHandle:
         clock._rosspin_jump_handles.append(self)
 
     def _rosspin_before(self, jump: TimeJump) -> None:
-        """Call what is to be called before a jump, if the threshold is met."""
+        """Call what should be called before a jump, if the threshold is met."""
         if self._pre_callback and self._rosspin_threshold._rosspin_is_met(jump):
             self._pre_callback()
 
     def _rosspin_after(self, jump: TimeJump) -> None:
-        """Call what is to be called after it."""
+        """Call what should be called after it."""
         if self._post_callback and self._rosspin_threshold._rosspin_is_met(jump):
             self._post_callback(jump)
 

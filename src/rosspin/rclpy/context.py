@@ -39,7 +39,7 @@ class State:
         self.handled: set[int] = set()  # signals that shut the contexts down
         self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's
         self.asleep = False  # whether the main thread sleeps on a Clock, in C code, where no handler runs
-        self.pending: Callable[[], Any] | None = None  # the handler that is to run after that sleep
+        self.pending: Callable[[], Any] | None = None  # the handler that should run after that sleep
 
     def _wake_sleepers(self) -> None:
         for gate in self.sleepers:

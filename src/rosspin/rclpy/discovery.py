@@ -81,6 +81,6 @@ class Participants:
 
 
 def late(name: str, node: RclNode) -> int:
-    """Return how much (ns) later than usual a node is to be known to the node of a name, in another process."""
+    """Return how much (ns) later than usual a node should be known to the node of a name, in another process."""
     faults = node.context.state.world.graph.faults
     return faults.lateness(name, node.full_name) if faults else 0

@@ -87,7 +87,7 @@ class GuardCondition(Held):
         self._rosspin_destroyed = True
 
     def _rosspin_take(self) -> Any:
-        """What is to be called."""
+        """What should be called."""
         self._executor_triggered = False
         return self.callback, (), None
 
@@ -102,8 +102,8 @@ class Executor:
     called with another timeout.
     """
 
-    # Here and in Node, names that rclpy's class does not have begin with _rosspin, so that they do not clash with those
-    # of a node's own classes.
+    # Here and in Node, names that rclpy's class does not have begin with _rosspin, so that they do not clash with
+    # names of a node's own classes.
 
     def __init__(self, *, context: Context | None = None) -> None:
         self._context = context or get_default_context()

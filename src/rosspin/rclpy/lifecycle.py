@@ -233,7 +233,7 @@ class _StateMachine:
 class LifecycleNodeMixin(ManagedEntity):
     """What a managed node has besides what every node has. A class that uses it inherits from Node, too.
 
-    Its callbacks, such as ``on_configure``, call those of the entities that it manages, up to the first that does not
+    Its callbacks, such as ``on_configure``, call the callbacks of what it manages, up to the first that does not
     succeed. Unless ``enable_communication_interface`` is false, it has services by which others change and ask its
     state, in a group of callbacks. Initialise it after Node. Raises TypeError for what is no bool.
     """

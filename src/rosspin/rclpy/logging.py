@@ -105,7 +105,7 @@ def logs() -> Logs:
 
 
 class RcutilsLogger:
-    """A logger. Its level is the nearest one that is set: that of ``a.b``, of ``a``, or the default."""
+    """A logger. Its level is the nearest one that is set: of ``a.b``, of ``a``, or the default."""
 
     def __init__(self, name: str = "") -> None:
         self.name = name
@@ -174,7 +174,7 @@ class RcutilsLogger:
         return True
 
     def debug(self, message: str, **kwargs: Any) -> bool:
-        """Log a message as DEBUG; the options are those of ``log``."""
+        """Log a message as DEBUG; the options are as for ``log``."""
         return self.log(message, LoggingSeverity.DEBUG, **kwargs)
 
     def info(self, message: str, **kwargs: Any) -> bool:

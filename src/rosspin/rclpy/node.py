@@ -71,7 +71,7 @@ def _by_name(ends: Iterable[Owner], topics: Mapping[str, Set[str]]) -> list[tupl
 
 
 def _ends(node: RclNode, kind: type[Owner]) -> list[Owner]:
-    """List the publishers, the subscriptions, the clients or the services of a node, those of its actions, too."""
+    """List the publishers, the subscriptions, the clients or the services of a node and of its actions."""
     owner = node.node()
     if owner is not None and kind is ServerEnd:
         owner._rosspin_start_services()
@@ -309,7 +309,7 @@ class Node(Parameters):
 
     @property
     def timers(self) -> Iterator[Timer]:
-        """Its timers, those of its Rates, too."""
+        """Its timers, also its Rates'."""
         yield from self._timers
 
     @property
@@ -480,7 +480,7 @@ class Node(Parameters):
         return subscription
 
     def _rosspin_prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, options: Any) -> tuple[str, QoSProfile]:
-        """Return the topic's full name and the profile of what is to be created."""
+        """Return the topic's full name and the profile of what should be created."""
         self._rosspin.check()
         if isinstance(qos, int):
             if qos < 0:
@@ -551,7 +551,7 @@ class Node(Parameters):
         return _by_name(ends, own_topics.TYPES)
 
     def _rosspin_nodes(self) -> list[RclNode]:
-        """The known nodes: those of its context, and those found in other processes."""
+        """The known nodes: its context's, and the ones found in other processes."""
         own = self._rosspin.context
         return [*own.nodes, *self._rosspin_participants.nodes(own)]
 
@@ -671,7 +671,7 @@ class Node(Parameters):
         return service
 
     def _rosspin_prepare_service(self, what: str, srv_type: Any, name: Any, qos: Any) -> str:
-        """Check what a client or service is to be made of. Return the full name."""
+        """Check what a client or service should be made of. Return the full name."""
         check_is_valid_srv_type(srv_type)
         self._rosspin.check()
         if not isinstance(qos, QoSProfile):

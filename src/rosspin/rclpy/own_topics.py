@@ -40,7 +40,7 @@ class _Looked(set[str]):
 
 
 class OwnTopics:
-    """Those of a node. ``types`` has their classes: the module ``rcl_interfaces.msg`` of the node's process."""
+    """A node's. ``types`` has their classes: the module ``rcl_interfaces.msg`` of the node's process."""
 
     def __init__(self, node: RclNode, types: ModuleType, on_rosout: bool) -> None:
         self._node = node

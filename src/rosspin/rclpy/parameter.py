@@ -157,7 +157,7 @@ def parameter_dict_from_yaml_file(
 ) -> dict[str, Any]:
     """Read the parameters in a file, as messages by name, with ``namespace`` in front of each name.
 
-    They are those of the ``target_nodes`` (none: of all nodes in the file), with ``use_wildcard`` also those of
+    They are for the ``target_nodes`` (none: for all nodes in the file), with ``use_wildcard`` also for
     ``/**``. Raises RuntimeError if a node is not in the file, or has no ``ros__parameters``.
     """
     with open(parameter_file, encoding="utf-8") as file:

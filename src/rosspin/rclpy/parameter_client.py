@@ -110,7 +110,7 @@ class AsyncParameterClient:
     def on_parameter_event(
         self, callback: Callable[[Any], Any], qos_profile: QoSProfile = qos_profile_parameter_events, **options: Any
     ) -> Subscription:
-        """Subscribe to the events of all nodes; the options are those of ``create_subscription``."""
+        """Subscribe to the events of all nodes; the options are as for ``create_subscription``."""
         kind = import_module("rcl_interfaces.msg").ParameterEvent
         return self.node.create_subscription(kind, PARAMETER_EVENTS, callback, qos_profile, **options)
 

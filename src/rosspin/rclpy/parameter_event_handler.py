@@ -36,7 +36,7 @@ class ParameterCallbackHandle(ParameterEventCallbackHandle):
 
 
 class ParameterEventHandler:
-    """Subscribes a node to /parameter_events; the options are those of ``create_subscription``.
+    """Subscribes a node to /parameter_events; the options are as for ``create_subscription``.
 
     Of several callbacks the newest is called first, those for one parameter before those for all events.
     """

@@ -212,7 +212,7 @@ FOR_EVER = 2**63 - 1  # ns
 
 
 def length(duration: Duration, best: int = FOR_EVER) -> int:
-    """Return a policy's length in ns; ``best`` is that of the best available."""
+    """Return a policy's length in ns; ``best`` is the best available."""
     return best if duration == DeadlineBestAvailable else duration.nanoseconds or FOR_EVER
 
 

@@ -125,7 +125,7 @@ def message_to_csv(msg: Any, *, truncate_length: int | None = None, no_arr: bool
 def set_message_fields(
     msg: Any, values: Mapping[str, Any], expand_header_auto: bool = False, expand_time_now: bool = False
 ) -> list[Any]:
-    """Set fields of a message from a dictionary, those of messages in it likewise.
+    """Set fields of a message, and of messages in it, from a dictionary.
 
     With ``expand_header_auto`` a header may be "auto", with ``expand_time_now`` a time "now": what sets these is
     returned. Raises AttributeError for an unknown field, TypeError for what is no dictionary.

@@ -47,7 +47,7 @@ _LOOK = 0.25
 class Ends:
     """The clients and services of a run, by name. Its processes share them.
 
-    ``asked`` are the full names of the nodes whose parameters someone has a client for, ``numbers`` those of clients.
+    ``asked`` are the full names of the nodes whose parameters someone has a client for, ``numbers`` the clients'.
     """
 
     def __init__(self) -> None:
@@ -57,7 +57,7 @@ class Ends:
         self._lock = threading.Lock()
 
     def add(self, end: Any) -> list[Any]:
-        """Add a client or service. Return those of the other kind that are there already."""
+        """Add a client or service. Return what there is of the other kind already."""
         # In one go: of two ends that are made at the same time, exactly one finds the other.
         with self._lock:
             ends = self._of.setdefault(end.end.topic, [])

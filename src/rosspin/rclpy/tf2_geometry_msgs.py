@@ -103,7 +103,7 @@ def transform_covariance(cov_in: Sequence[float], transform: Any) -> Any:
 
 
 def _compose(one: Transform, other: Transform) -> Transform:
-    """With rotations of length 1, of which those of length 0 are none, and a quaternion whose w is not negative."""
+    """With rotations of length 1 (none, if the length is 0), and a quaternion whose w is not negative."""
     found = Transform(one.translation, _unit(one.rotation)) @ Transform(other.translation, _unit(other.rotation))
     x, y, z, w = found.rotation
     return Transform(found.translation, (-x, -y, -z, -w)) if w < 0 else found

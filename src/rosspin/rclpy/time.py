@@ -13,7 +13,7 @@ __all__ = ["ClockType", "Time"]
 
 
 class ClockType(IntEnum):
-    """The time that a clock tells: the system's, one that never jumps, or ROS's (the system's, or that of /clock)."""
+    """The time that a clock tells: the system's, one that never jumps, or ROS's (the system's, or /clock's)."""
 
     UNINITIALIZED = 0
     ROS_TIME = 1

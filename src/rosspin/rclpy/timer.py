@@ -25,7 +25,7 @@ _LEAST_PERIOD = 1_000  # ns; a timer with a shorter one keeps no grid
 _CALL = 100_000  # ns from one call of such a timer to the next, about what a real machine takes
 
 
-# What an executor is to call, with which arguments, and for a tick its place in the log and when it began (ns).
+# What an executor should call, with which arguments, and for a tick its place in the log and when it began (ns).
 Call = tuple[Any, tuple[Any, ...], tuple[int, int] | None]
 
 

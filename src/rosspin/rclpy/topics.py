@@ -274,7 +274,7 @@ class SubscriptionEnd(TopicEnd):
         lease.restart()
 
     def _lease_of(self, publisher: Any) -> int:
-        """Return how long (ns) a publisher is alive: that of another process as long as that, unless by hand."""
+        """Return how long (ns) a publisher is alive: in another process as long as that, unless by hand."""
         return FOR_EVER if self.is_remote(publisher) and not publisher.policies.manual else self.policies.lease
 
     def _miss(self) -> None:
@@ -346,7 +346,7 @@ class SubscriptionEnd(TopicEnd):
         return bool(self.messages) and self.messages[0][1]["received_timestamp"] == now
 
     def take(self) -> tuple[Any, dict[str, Any]] | None:
-        """Return the oldest message, and what is to be known of it; None if there is none any more."""
+        """Return the oldest message, and what should be known of it; None if there is none any more."""
         try:
             return None if self.is_destroyed else self.messages.popleft()
         except IndexError:

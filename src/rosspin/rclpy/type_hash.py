@@ -73,7 +73,7 @@ class TypeHash:
 
 
 def hash_of(data_class: Any) -> TypeHash:
-    """The hash of a message's class: of its fields and of those of all messages in it, not of comments or defaults."""
+    """The hash of a message's class: of its fields and of all messages in it, not of comments or defaults."""
     found: dict[str, Any] = {}
     _describe(data_class, found)
     own = found.pop(kind_of(data_class))
@@ -84,7 +84,7 @@ def hash_of(data_class: Any) -> TypeHash:
 
 
 def _describe(data_class: Any, found: dict[str, Any]) -> str:
-    """Describe a class and those of the messages in it, by their names. Return its name."""
+    """Describe a class and the classes of messages in it, by their names. Return its name."""
     name = kind_of(data_class)
     if name not in found:
         fields: list[Any] = []

@@ -1,4 +1,4 @@
-"""Checks of what is to be a message or a service (source: rclpy/type_support.py)."""
+"""Checks of what should be a message or a service (source: rclpy/type_support.py)."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ class Ros2Missing(RuntimeError):
 
 @cache
 def python() -> str:
-    """Find a Python with rclpy: that of ``make ros2``, or of a ROS 2 whose set-up was sourced; "" if there is none."""
+    """Find a Python with rclpy: from ``make ros2``, or from a ROS 2 whose set-up was sourced; "" if there is none."""
     if _MADE.exists():
         return str(_MADE)
     if "AMENT_PREFIX_PATH" in os.environ:
@@ -123,7 +123,7 @@ def launch(
     Time counts from the moment at which its first node has been made. Ctrl-C is pressed at ``seconds``; without them,
     the run ends at a real Ctrl-C or when the node does. A node that does not end is killed when ``ros2 launch`` would.
     ``args`` are the node's, such as ``("--ros-args", "-r", "__ns:=/mrp")``. The console is also written to
-    ``onward``, as it comes. The ticks are those of timers, from call to return, and of each Rate from pass to pass.
+    ``onward``, as it comes. A timer's ticks last from call to return, a Rate's from pass to pass.
 
     Raises :class:`Ros2Missing`, OSError if the file cannot be read, ValueError if it is no Python file or ``seconds``
     is negative, RuntimeError if no node is made within a minute, and KeyboardInterrupt if Ctrl-C is pressed before

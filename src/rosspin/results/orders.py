@@ -39,9 +39,9 @@ class Instant(NamedTuple):
 
 @dataclass(frozen=True)
 class Orders:
-    """The run in the usual order, the run in another one, and the ``instants`` at which they are to be compared.
+    """The run in the usual order, the run in another one, and the ``instants`` at which they should be compared.
 
-    A run is None if time stands still in it. The instants are those of all deviations, and the first at which the steps
+    A run is None if time stands still in it. The instants are of all deviations, and the first at which the steps
     differ. The steps of functions, and of nodes that a launch file of ROS 2 starts, are not known.
     """
 

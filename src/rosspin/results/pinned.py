@@ -19,16 +19,21 @@ def as_test(
 ) -> str:
     """Write a test that a node still does what it did in a simulated run of ``seconds``, which ended with status 0.
 
-    It carries the node's ``source``, so it needs nothing else.
+    It carries the node's ``source``, so it needs nothing else. Of one in C++, the ``console`` has no colours.
     """
     name = PurePath(filename).stem
-    source = _COOKIE.sub(r"\1utf-8", source)
     words = f", {list(args)!r}" if args else ""
+    shown, able, imports = "run.console", "is installed", ["from rosspin import simulate"]
+    if PurePath(filename).suffix != ".py":
+        shown, able = r're.sub(r"\x1b\[[\d;]*m", "", run.console)', "can compile C++"
+        imports[:0] = ["import re", ""]
+    else:
+        source = _COOKIE.sub(r"\1utf-8", source)
     seen = _grid(ticks) or "\n".join(["[", *(f"        {_seen(tick)!r}," for tick in ticks), "    ]"])
     return "\n".join(
         [
-            f"# {filename} still does what it did. Run this with pytest, where rosspin is installed.",
-            "from rosspin import simulate",
+            f"# {filename} still does what it did. Run this with pytest, where rosspin {able}.",
+            *imports,
             "",
             f"NODE = {_text(source, '')}",
             "",
@@ -40,7 +45,7 @@ def as_test(
             f"    run = simulate(node.name, {seconds!r}{words})",
             "    assert run.status == 0",
             f"    assert [(tick.source, tick.number, tick.expected, tick.real) for tick in run.ticks] == {seen}",
-            f"    assert run.console == {_text(console, '    ')}",
+            f"    assert {shown} == {_text(console, '    ')}",
             "",
         ]
     )

@@ -41,7 +41,7 @@ class Message(NamedTuple):
 
 
 class Call(NamedTuple):
-    """One call of a service: its full name, and those of the nodes that ask and answer.
+    """One call of a service: its full name, and the names of the nodes that ask and answer.
 
     ``asked`` and ``answered`` are in seconds since the run began; ``request`` and ``response`` are copies. If no answer
     was sent, ``answered`` is NaN, ``server`` empty and ``response`` None. After an error only ``response`` is None.

@@ -70,7 +70,7 @@ IN_PART = {
     ),
     **dict.fromkeys(
         (name for name in client.__all__ if "param" in name),
-        "The parameters are those of the run: its nodes share them, and no other program sees them.",
+        "The parameters belong to the run: its nodes share them, and no other program sees them.",
     ),
     "Publisher": "The queue loses nothing: ``queue_size``, ``tcp_nodelay`` and ``headers`` have no effect.",
     "Service": "There is no network: ``buff_size`` has no effect.",

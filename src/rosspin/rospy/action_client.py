@@ -67,7 +67,7 @@ class CommState(_Named):
 
 
 class TerminalState(_Named):
-    """How a goal ends; the numbers are those of actionlib_msgs/GoalStatus."""
+    """How a goal ends; the numbers are actionlib_msgs/GoalStatus's."""
 
     RECALLED = 8
     REJECTED = 5

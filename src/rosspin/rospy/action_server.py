@@ -43,7 +43,7 @@ class GoalIDGenerator:
         self.set_name(get_name() if name is None else name)
 
     def set_name(self, name: str) -> None:
-        """Set what the names begin with: that of the node."""
+        """Set what the names begin with: the node's."""
         self.name = name
 
     def generate_ID(self) -> Any:
@@ -211,7 +211,7 @@ def nop_cb(goal_handle: ServerGoalHandle) -> None:
 class ActionServer:
     """Receives goals for the action ``ns``, whose type is ``ActionSpec``, such as FibonacciAction.
 
-    ``goal_cb(handle)`` is called for each goal, ``cancel_cb(handle)`` for each that is to be cancelled. Raises
+    ``goal_cb(handle)`` is called for each goal, ``cancel_cb(handle)`` for each that should be cancelled. Raises
     ActionException for a class that is not an action's.
     """
 
@@ -255,7 +255,7 @@ class ActionServer:
         self.goal_callback = cb
 
     def register_cancel_callback(self, cancel_cb: Callable[[ServerGoalHandle], Any]) -> None:
-        """Have another function called for each goal that is to be cancelled."""
+        """Have another function called for each goal that should be cancelled."""
         self.cancel_callback = cancel_cb
 
     def start(self) -> None:
@@ -443,7 +443,7 @@ class SimpleActionServer:
         return self.new_goal
 
     def is_preempt_requested(self) -> bool:
-        """Whether the goal is to end early."""
+        """Whether the goal should end early."""
         return self.preempt_request
 
     def is_active(self) -> bool:
@@ -488,7 +488,7 @@ class SimpleActionServer:
             self.goal_callback = cb
 
     def register_preempt_callback(self, cb: Callable[[], Any]) -> None:
-        """Have ``cb()`` called when the goal is to end early."""
+        """Have ``cb()`` called when the goal should end early."""
         self.preempt_callback = cb
 
     def internal_goal_callback(self, goal: ServerGoalHandle) -> None:

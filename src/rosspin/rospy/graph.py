@@ -102,7 +102,7 @@ def get_master_uri(env: Any = None, argv: Any = None) -> str:
 
 
 def myargv(argv: list[str] | None = None) -> list[str]:
-    """Return a command line, that of the node if none is given, without its remappings."""
+    """Return a command line, the node's if none is given, without its remappings."""
     return [arg for arg in (sys.argv if argv is None else argv) if names.REMAP not in arg]
 
 

@@ -11,7 +11,7 @@ __all__ = ["numpy_msg"]
 
 
 def numpy_msg(msg_type: type[Message]) -> type[Message]:
-    """Make the class of messages like these whose arrays of numbers are numpy's, except for those of ``uint8``.
+    """Make the class of messages like these whose arrays of numbers are numpy's, except of ``uint8``.
 
     Received arrays are read-only. One that is not numpy's, such as a list, raises AttributeError when it is published.
     """

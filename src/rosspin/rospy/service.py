@@ -298,7 +298,7 @@ class Service(_Named):
         logerr(f"Error processing request: {e}\n{trace}")
 
     def shutdown(self, reason: str = "") -> None:
-        """Accept no more calls. Those that have begun are answered, and those of persistent proxies."""
+        """Accept no more calls. Calls that have begun, or of persistent proxies, are answered."""
         self.done = True
         self._rosspin_services.unregister(self.resolved_name, self)
 

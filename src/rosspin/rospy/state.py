@@ -49,7 +49,7 @@ def param_path(name: str) -> list[str]:
 
 
 class State:
-    """A node's name, parameters, log and time, and whether it is to shut down."""
+    """A node's name, parameters, log and time, and whether it should shut down."""
 
     ROS = 1
 
@@ -105,7 +105,7 @@ class State:
         return self.clock.system() if self.ros_time is None else self.ros_time
 
     def in_run(self) -> int:
-        """Return the time (ns) to record ticks with: that of /clock, else that of the run, which never jumps."""
+        """Return the time (ns) to record ticks with: /clock's, else the run's, which never jumps."""
         return self.clock.now() if self.ros_time is None else self.ros_time
 
     def wait_for_ros_time(self, seconds: float) -> None:

@@ -81,7 +81,7 @@ class Tester(tester.Tester):
 
     def send_goal(self, action: str, fields: Mapping[str, Any]) -> None:
         """See the base. Raises LookupError: the actions of ROS 1 are not simulated."""
-        raise LookupError(f"no node offers the action {action}: only those of ROS 2 are simulated")
+        raise LookupError(f"no node offers the action {action}: only ROS 2's are simulated")
 
     def _serve(self, name: str, srv_type: Any, handler: tester.Handler) -> None:
         with self._world.acting():

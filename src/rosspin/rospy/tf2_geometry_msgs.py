@@ -67,7 +67,7 @@ def do_transform_wrench(wrench: Any, transform: Any) -> Any:
 
 
 def _compose(one: Transform, other: Transform) -> Transform:
-    """As PyKDL's frames do, which keep matrices: those of quaternions whose length is not 1 are no rotations."""
+    """As PyKDL's frames do, which keep matrices: quaternions whose length is not 1 give no rotations."""
     first, second = _matrix(one.rotation), _matrix(other.rotation)
     x, y, z = (move + _dot(row, other.translation) for row, move in zip(first, one.translation))
     columns = tuple(zip(*second))

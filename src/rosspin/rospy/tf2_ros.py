@@ -194,7 +194,7 @@ class TransformBroadcaster:
 
 
 class StaticTransformBroadcaster:
-    """Publishes transforms that do not change on /tf_static; who comes later gets those of the last call alone."""
+    """Publishes transforms that do not change on /tf_static; who comes later gets the last call's alone."""
 
     def __init__(self) -> None:
         self.pub_tf = Publisher("/tf_static", import_module("tf2_msgs.msg").TFMessage, queue_size=100, latch=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import os
 import re
-from configparser import ConfigParser
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -41,7 +40,7 @@ def is_cpp(package: Path, name: str) -> bool:
 
 def find_cpp(package: Path, name: str) -> Path | None:
     """Find the source in C++ of a program that a package builds, or seems to build."""
-    from ..cpp.cmake import program  # most packages go without
+    from ..programs.cmake import program  # most packages go without
 
     return program(package, name)
 
@@ -65,6 +64,8 @@ def _entry_points(package: Path) -> dict[str, str]:
     """Return the ``console_scripts`` of a package, as ``module:function`` by their names."""
     found: list[str] = []
     if (file := package / "setup.cfg").is_file():
+        from configparser import ConfigParser  # only needed where there is such a file
+
         config = ConfigParser(interpolation=None)
         config.read(file, encoding="utf-8")
         found += config.get("options.entry_points", "console_scripts", fallback="").splitlines()

@@ -103,7 +103,7 @@ def stands_still(nodes: Sequence[Code], ros: int, error: Standstill | Stuck, clo
     elif isinstance(error, Standstill) and error.threads:
         why = (
             f"because {error.threads:,} threads have not ended, as many as a run may have; this would have been one "
-            f"more{ROSES[ros].also_threads}. Start them outside of loops and callbacks, or let them end."
+            f"more{ROSES[ros].also_threads}. Start them outside of loops and callbacks, or end them."
         )
     else:
         why = (

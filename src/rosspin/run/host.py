@@ -70,7 +70,7 @@ class Host:
 
     ``ticks`` is the log to record in; with None nothing is recorded. On a simulated clock the run may go in steps:
     :meth:`advance`, then :meth:`interrupt`. ``several`` processes need a ``supervisor``. Each of them has its own
-    messages, random numbers and modules from its folder; they share all other modules. ``faults`` are what is to go
+    messages, random numbers and modules from its folder; they share all other modules. ``faults`` are what should go
     wrong, on a simulated clock only; it raises what ``simulate`` raises for them.
     """
 
@@ -348,7 +348,7 @@ class Host:
     def run(self, until: int) -> None:
         """Let the simulated time pass to ``until`` (ns after its start), press Ctrl-C, and let the processes end.
 
-        This does what :meth:`advance` and :meth:`interrupt` do. All three are to be called within :meth:`inside`.
+        This does what :meth:`advance` and :meth:`interrupt` do. All three should be called within :meth:`inside`.
         """
         if self.faults:
             self.faults.fits(until)
@@ -467,7 +467,7 @@ class Result(NamedTuple):
         return self.host.processes[0].world
 
     def run(self, console: str, runtime: str, seconds: float) -> Run:
-        """Return the run, whose console and whose runtime these are, and which was to continue for ``seconds``."""
+        """Return the run, whose console and whose runtime these are, and which should continue for ``seconds``."""
         recording = self.host.recording
         return Run(
             console,

@@ -23,7 +23,7 @@ class Imports(MetaPathFinder):
     """An entry of ``sys.meta_path`` for one process: ``world`` is its own, and ``node`` what runs in it.
 
     Importing ``rospy`` or ``rclpy`` binds the process to ROS 1 or 2. Importing the other one then raises ImportError,
-    as where only one ROS is installed. Messages that are imported earlier are those of the ROS that the code names.
+    as where only one ROS is installed. Messages that are imported earlier belong to the ROS that the code names.
     """
 
     def __init__(

@@ -158,7 +158,7 @@ class _AllNames:
         self._loaded = 0  # how many modules there were when the owners were last looked for
         self._owners: dict[int, _Names | _Content] = {}  # by the identity of the object they describe
         self._views: list[Iterable[Any]] = []
-        self._values: list[Any] = []  # those of all owners, as last noted
+        self._values: list[Any] = []  # of all owners, as last noted
         self._noted: list[Any] = []
 
     def state(self) -> Undo:
@@ -519,6 +519,6 @@ def state_of_names() -> Undo:
 
 
 def state_of_node() -> Put:
-    """Note what the next step of a node is to find again, except for names. Returns what puts it in place."""
+    """Note what the next step of a node should find again, except for names. Returns what puts it in place."""
     puts = [each.state() for each in KEPT if each.found_again]
     return lambda: _call(puts)

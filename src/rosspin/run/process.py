@@ -138,7 +138,7 @@ class Process(Slots):
         return is_own(module.__name__, getattr(module, "__file__", None) or "", self._own)
 
     def with_its_ros(self, names: set[str], own: set[str]) -> set[str]:
-        """Return those of the imported modules that hold something of its ROS, its messages, or modules of its ``own``.
+        """Return which of the imported modules hold something of its ROS, its messages, or modules of its ``own``.
 
         They are its own, too: in the next run the same names would mean other objects. So is all of their package.
         """

@@ -58,7 +58,7 @@ class Ros(NamedTuple):
 
     @property
     def steps_seen(self) -> Any:
-        """The class of the steps of its nodes, as a page shows them. That of ROS 2 loads rclpy."""
+        """The class of the steps of its nodes, as a page shows them. ROS 2's loads rclpy."""
         module, _, name = self.steps.partition(".")
         return getattr(import_module(f"rosspin.run.{module}"), name)
 

@@ -64,12 +64,12 @@ def simulate(
     ``args``. They are started in this order, all at time 0, each as a process of its own. In a list, :class:`Node`
     gives one a command line of its own. The sources of ticks begin with the nodes' names. Nodes of ROS 1 run as under
     roslaunch: what it says of nodes that end is on the console, and the status is 0 whatever becomes of them. If there
-    are nodes of ROS 2, all run as in terminals of their own: each gets the Ctrl-C, and the status is that of the first
-    that has failed. Those of a launch file of ROS 2 (``.launch.py``, ``.launch.xml`` or ``.launch.yaml``) run as under
+    are nodes of ROS 2, all run as in terminals of their own: each gets the Ctrl-C, and the status is from the first
+    that has failed. Nodes of a launch file of ROS 2 (``.launch.py``, ``.launch.xml`` or ``.launch.yaml``) run as under
     ``ros2 launch``. Nodes of ROS 1 and ROS 2 do not hear each other. With ``skip_cpp``, the nodes of a launch file that
     are not in Python are left out.
 
-    ``faults`` are what is to go wrong, from :mod:`rosspin.faults`; ``run.faults`` says what they did. A line on the
+    ``faults`` are what should go wrong, from :mod:`rosspin.faults`; ``run.faults`` says what they did. A line on the
     console names each that did nothing. ``jitter`` is short for one of them, ``Jitter(jitter)``: threads and callbacks
     are late by up to so many seconds, as on a real computer, drawn in the same way in each run.
 
@@ -99,7 +99,7 @@ def with_jitter(faults: Sequence[Fault], jitter: float) -> Sequence[Fault]:
 
 
 class Prepared(NamedTuple):
-    """What is to run, loaded: several nodes, or a launch file, or one node, whose command line is ``args``."""
+    """What should run, loaded: several nodes, or a launch file, or one node, whose command line is ``args``."""
 
     launched: Launched | None
     codes: list[Code]
@@ -114,9 +114,9 @@ def prepare(
     shaken: bool,
     faults: Sequence[Fault] = (),
 ) -> Prepared:
-    """Load what is to run, once for many runs. Raises what :func:`simulate` raises for it.
+    """Load what should run, once for many runs. Raises what :func:`simulate` raises for it.
 
-    Nodes that are to be ``shaken`` raise ValueError if all are functions, or if they are of a launch file of ROS 2.
+    Nodes that should be ``shaken`` raise ValueError if all are functions, or if they are of a launch file of ROS 2.
     """
     refuse_text(args)
     launched = several(node, args, skip_cpp)

@@ -21,14 +21,18 @@ from importlib.util import find_spec
 from operator import attrgetter
 from pathlib import Path
 from types import CodeType, ModuleType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.installed import is_installed_file
 from .kept import working_folder
 from .roses import ROSES, ros_of
 
+if TYPE_CHECKING:
+    from ..programs import Program
+
 __all__ = [
-    *("Code", "NodeLike", "around_package", "folder_of", "load", "load_cell", "load_entry_point", "load_source"),
+    *("CPP", "Code", "NodeLike", "around_package", "code_of_program", "folder_of", "load", "load_cell"),
+    *("load_cpp", "load_entry_point", "load_source"),
     *("compiled", "is_cpp", "is_launch_of_ros2", "is_own", "names_a_ros", "own_folders", "read", "refuse_null_bytes"),
     *("refuse_other_ros", "refuse_text", "program", "split_words", "warn_of_files", "words_of"),
 ]
@@ -48,7 +52,7 @@ class Code(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Its name where it has no other: that of its file, without the suffix, or of its function."""
+        """Its name where it has no other: its file's, without the suffix, or its function's."""
         return os.path.basename(self.argv0).removesuffix(".py")
 
 
@@ -80,7 +84,7 @@ def load(node: NodeLike, waiting: Callable[[], object] = lambda: None) -> Code:
     if not isinstance(node, (str, os.PathLike)):
         raise TypeError(f"a node is the path of a file, or a function, not {node!r}")
     if path.endswith(CPP):
-        return _load_cpp(path, waiting)
+        return load_cpp(path, waiting)
     if not os.path.exists(path) and _ENTRY.fullmatch(entry := path if ":" in path else _console_script(path)):
         return load_entry_point(entry)
     return load_source(read(path), path)
@@ -91,7 +95,7 @@ def load_cell(text: str, name: str) -> Code:
 
     In C++, it may include headers and messages as a file in the working directory could.
     """
-    return _load_cpp(name, lambda: None, text) if is_cpp(text) else load_source(text, name)
+    return load_cpp(name, lambda: None, text) if is_cpp(text) else load_source(text, name)
 
 
 def is_cpp(text: str) -> bool:
@@ -102,11 +106,17 @@ def is_cpp(text: str) -> bool:
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"](ros|rclcpp|rclcpp_components)/', re.MULTILINE)
 
 
-def _load_cpp(path: str, waiting: Callable[[], object], text: str | None = None) -> Code:
-    from ..cpp import Program, build  # most runs go without
+def load_cpp(path: str, waiting: Callable[[], object], text: str | None = None) -> Code:
+    """Compile a node in C++, from a text if one is given."""
+    from ..cpp import build  # most runs go without
+    from ..cpp import program as made
 
-    program = Program(build(path, waiting, text), path)
-    return Code(program, os.path.splitext(path)[0], path, None, hint=program.ros)
+    return code_of_program(made(build(path, waiting, text), path))
+
+
+def code_of_program(program: Program) -> Code:
+    """Return the code of a compiled node."""
+    return Code(program, os.path.splitext(program.path)[0], program.path, None, hint=program.ros)
 
 
 # How a function of a module is written (source: the specification of entry points, packaging.python.org).
@@ -180,7 +190,7 @@ def program(code: CodeType, filename: str, more: Mapping[str, Any] | None = None
 
 
 def _call(function: Callable[[], Any], main: ModuleType | None) -> None:
-    """Call a function of a program whose module ``__main__`` it is to find, if that could be seen."""
+    """Call a function of a program whose module ``__main__`` it should find, if that could be seen."""
     if main:
         sys.modules["__main__"] = main
     function()
@@ -305,7 +315,7 @@ def names_a_ros(code: CodeType) -> int:
 
 
 def _names(code: CodeType) -> Iterator[str]:
-    """Yield the names in code and in its functions; those of the modules that it imports are among them."""
+    """Yield the names in code and in its functions; the modules that it imports are among them."""
     yield from code.co_names
     for constant in code.co_consts:
         if isinstance(constant, CodeType):

@@ -206,7 +206,7 @@ class StartedNode:
     def close(self) -> None:
         """Press Ctrl-C, let the node end, and check that it does so with status 0. Another call does nothing.
 
-        In ROS 2, the status may also be 130: that of a node that does not catch the KeyboardInterrupt. A fault that
+        In ROS 2, the status may also be 130: the node did not catch the KeyboardInterrupt. A fault that
         names what the run does not have is a ValueError now.
 
         Raises :class:`NodeFailed` if the status is another one, or if the node has not ended 17 s later, and what the
@@ -228,7 +228,7 @@ class StartedNode:
         """Publish a message to the node, which receives it without delay: at the present time, in the next ``advance``.
 
         Give it as to ``rospy.Publisher.publish``: as a whole message, as all its fields, or as some of them by name.
-        Its class is that of the node's subscriber. By name, a dict stands for a nested message, and a number of seconds
+        Its class is the class of the node's subscriber. By name, a dict is a nested message, and a number of seconds
         for a time: ``node.publish("/range", range=0.5, header={"stamp": node.time})``. In ROS 2 the whole message may
         be such a dict, too.
 
@@ -245,7 +245,7 @@ class StartedNode:
         return self._tester(lambda tester: tester.message(type, fields))
 
     def messages(self, topic: str) -> list[Message]:
-        """Return all messages that were published on a topic so far, without those of the test.
+        """Return all messages that were published on a topic so far, without the test's.
 
         Raises LookupError if the node does not publish on it.
         """
@@ -257,8 +257,8 @@ class StartedNode:
         """Call a service of the node, which receives the request without delay, in the next ``advance``.
 
         Give the request as a message to :meth:`publish`: ``node.call("/drive", data=True)``. The ``calls`` of the run
-        have it, and the response as soon as that was sent: those of the step, and those of ``node.run``. So do those of
-        the parameters of a node of ROS 2: ``node.call("/spinner/get_parameters", names=["frequency"])``.
+        have it, and the response as soon as that was sent: in the step's, and in ``node.run``. So does a
+        call for the parameters of a node of ROS 2: ``node.call("/spinner/get_parameters", names=["frequency"])``.
 
         Raises LookupError if no node offers the service, and for wrong requests what ``publish`` raises.
         """

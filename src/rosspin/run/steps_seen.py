@@ -26,7 +26,7 @@ _MOST_CALLBACKS = 30
 class StepsSeen:
     """The steps of a run, in which a step is noted whenever something is told or the time passes.
 
-    The run has to be on :attr:`clock`, and to record its ticks in ``log``. Lines are those of the file ``filename``.
+    The run has to be on :attr:`clock`, and to record its ticks in ``log``. Lines are of the file ``filename``.
     ``pace(when)`` is called before the time becomes ``when`` (ns). Of ``several`` nodes, each is named.
     """
 
@@ -71,6 +71,8 @@ class StepsSeen:
             stack = current()
             here = threading.current_thread().name
             if self._several and isinstance(stack, Stack):
+                if not stack.owner.tells:
+                    return
                 here = name_of(stack)
             self._note_what(what, subject, more, here)
 
@@ -88,7 +90,10 @@ class StepsSeen:
     def _before(self, when: int) -> None:
         if when > self.clock.now() and not self._is_full and (running := self._running()) is not None:
             verb = "is" if len(running) == 1 else "are"
-            what = f"{self._say(running)} {verb} at work" if running else "No callback runs"
+            is_told = all(stack.owner.tells for stack in self.clock.suspended())
+            what = "No callback runs" if is_told else "No callback in Python runs"
+            if running:
+                what = f"{self._say(running)} {verb} at work"
             self._note(f"{what} until {when / NS:g} s.", until=when)
         self._pace(when)
 
@@ -104,7 +109,7 @@ class StepsSeen:
         """Find for each thread its number, the callback in it and its line."""
         for stack in self.clock.suspended():
             if self._several:
-                name = stack.owner.name and name_of(stack)
+                name = stack.owner.tells and stack.owner.name and name_of(stack)
             else:
                 name = getattr(threading._active.get(stack.ident), "name", "")  # type: ignore[attr-defined]
             if not name:

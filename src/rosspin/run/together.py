@@ -26,7 +26,7 @@ __all__ = ["Together", "give_names"]
 class Together:
     """Runs ``nodes``, whose code is ``codes``, in a host. Raises ValueError for attributes that need roslaunch.
 
-    The status is that of the first node that fails, or 0. In ROS 2, ending with 130 after Ctrl-C is no failure.
+    The status is from the first node that fails, or 0. In ROS 2, ending with 130 after Ctrl-C is no failure.
     """
 
     def __init__(self, host: Host, nodes: Sequence[Node], codes: Sequence[Code]) -> None:

@@ -12,7 +12,6 @@ import re
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from pathlib import Path
-from typing import Any
 
 from docutils import nodes
 from sphinx.application import ENV_PICKLE_FILENAME, Sphinx
@@ -121,22 +120,13 @@ def _read_notebook(app: Sphinx, doctree: nodes.document) -> None:
                 error = f"{output['ename']}: {output['evalue']}"
                 note(app.env, start + line - 1, source[line - 1].strip(), error, block)
                 failed = True
-            # A folded answer is a solution.
-            elif "hide-cell" in cell["metadata"].get("tags", []) and (said := _not_yet(output)):
-                note(app.env, start, source[0], said)
             # A magic only prints what is wrong with its arguments.
             elif (printed := "".join(output.get("text", []))).startswith("UsageError: "):
                 note(app.env, start, source[0], printed, block)
 
 
-def _not_yet(output: dict[str, Any]) -> str:
-    """Return the verdict on an answer that is not right; "" for one that is, and for what is no answer."""
-    said = "".join(output.get("data", {}).get("text/plain", []))
-    return said if re.match(r"Exercise \d+: not yet\.", said) else ""
-
-
 def missing_exercises(root: Path) -> Iterator[Stale]:
-    """Yield the exercises that have a check but no answer on their page in ``root``/notebooks."""
+    """Yield the exercises that have a check, and are not on their list in ``root``/notebooks."""
     for page in sorted(root.glob("notebooks/*.md")):
         found = shown_on(page.read_text(encoding="utf-8"))
         of_site = [exercise for exercise in EXERCISES if exercise.part]
@@ -144,7 +134,7 @@ def missing_exercises(root: Path) -> Iterator[Stale]:
         for exercise in of_site:
             if exercise.ros in on_page and exercise.name not in found:
                 now = f'rosspin.exercises checks exercise {exercise.number}, "{exercise.title}"'
-                yield Stale(page.relative_to(root).as_posix(), 1, f"no cell with %%answer {exercise.name}", now)
+                yield Stale(page.relative_to(root).as_posix(), 1, f"no exercise {exercise.name}", now)
 
 
 def _line_of(traceback: list[str]) -> int:

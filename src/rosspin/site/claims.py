@@ -173,7 +173,7 @@ def report(found: Iterable[Stale]) -> str:
     stale = sorted(found, key=lambda entry: (entry.page, entry.line))
     parts = ["What follows no longer holds:"]
     for entry in stale:
-        rows = {"text": entry.text, "stands": entry.stands, "now": entry.now}
+        rows = {"text": entry.text, "was": entry.stands, "now": entry.now}
         marked = " (make outputs)" if entry.edits else ""
         parts.append(f"{entry.page}:{entry.line}{marked}\n" + "".join(_row(*row) for row in rows.items() if row[1]))
     followed = sum(bool(entry.edits) for entry in stale)

@@ -66,32 +66,13 @@ def _raw(text: str) -> nodes.raw:
     return nodes.raw("", text, format="html")
 
 
-def _answer(part: nodes.Element) -> str:
-    texts = [block.astext() for block in part.findall(nodes.literal_block)]
-    return next((text.partition("\n")[2] for text in texts if _ANSWER.match(text)), "")
-
-
 def _alone(exercise: _Exercise, following: str) -> nodes.section:
-    """Turn a section into a page: without outputs of the answers, and with the solution and all after it folded."""
-    _, *every = cast("list[nodes.Element]", exercise.section.children)
-    paths = [each for each in every if "rosspin-path" in each.astext()]
-    parts = [each for each in every if each not in paths]
+    """Turn a section into a page, which leads on below the answer."""
     section = nodes.section("", nodes.title("", exercise.title), ids=exercise.section["ids"])
-    start = ""
-    for place, part in enumerate(parts):
-        answer = _answer(part)
-        if answer and start:
-            section += _raw("<details><summary>Show the solution</summary>")
-            section += [difference(start, answer), *parts[place + 1 :], _raw("</details>")]
-            break
-        if answer:
-            for output in [each for each in part.findall(nodes.container) if "cell_output" in each["classes"]]:
-                cast(nodes.Element, output.parent).remove(output)
+    for part in exercise.section.children[1:]:
         section += part
-        if answer:
-            start = answer
+        if _ANSWER.match(part.astext()):
             section += _raw(following)
-    section += paths
     return section
 
 

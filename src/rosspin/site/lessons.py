@@ -59,7 +59,12 @@ class ExerciseDirective(SphinxDirective):
         cell = nodes.literal_block(text, text, language="ipython3", classes=["live"])
         number = next(each.number for each in EXERCISES if each.name == lesson.exercise.name)
         title = f"Exercise {number}: {lesson.exercise.title}"
-        shown: list[nodes.Node] = [nodes.rubric(title, title), *self.parse_text_to_nodes(lesson.text), cell]
+        told = self.parse_text_to_nodes(lesson.text)
+        for node in (listing for part in told for listing in part.findall(nodes.literal_block)):
+            if node.astext().startswith("%%simulate "):
+                node["classes"].append("live")
+                node["language"] = "ipython3"
+        shown: list[nodes.Node] = [nodes.rubric(title, title), *told, cell]
         for number, hint in enumerate(lesson.hints, 1):
             shown += self._folded(f"Hint {number}", self.parse_text_to_nodes(hint))
         if "solution" in self.options and lesson.right:
@@ -108,7 +113,7 @@ def stale_lessons(root: Path) -> Iterator[Stale]:
         if lesson.exercise.name not in shown:
             yield Stale(file, 1, "no page shows it", f"write .. exercise:: {lesson.exercise.name} on one")
         if _line(text, "RIGHT") < _line(text, r"(def )?check"):
-            now = "it stands below check: the page is given what is above"
+            now = "it comes after check: the page gets only what is above"
             yield Stale(file, _line(text, "RIGHT"), "RIGHT", now)
         for what, stands, now in (*_too_few(lesson), *_misjudged(lesson, text)):
             yield Stale(file, what if isinstance(what, int) else _line(text, what), stands, now)
@@ -151,7 +156,7 @@ def _misjudged(lesson: Lesson, text: str) -> Iterator[tuple[str | int, str, str]
             continue
         said = str(feedback)
         if what == "NODE" and feedback.passed:
-            yield what, stands, "it is right as it stands: there is nothing to do"
+            yield what, stands, "it is right as it is: there is nothing to do"
         elif feedback.passed is not right or part.replace("`", "") not in said.replace("`", ""):
             yield what, stands, said
 

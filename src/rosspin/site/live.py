@@ -1,8 +1,9 @@
 """Sphinx extension: listings that run in the page, and the policy on what a page may load.
 
 A listing of the class ``live`` (``:class: live`` on its literalinclude, the tag ``live`` on a notebook cell) is found
-and run by ``web/``. One in C++ shows a whole file, whose program is among the site's files. Those of the class
-``together`` also run in pairs: the page's first with its second, its third with its fourth. Below a listing stands the
+and run by ``web/``. One in C++ shows a whole file, whose program is among the site's files; one in XML shows a launch
+file, of which that is true of all that it starts. Listings of the class ``together`` also run in pairs: the page's
+first with its second, its third with its fourth, in each language. Below the listing of a node is the
 plot of a run that is made with the page. ``web/`` also moves the figures with a handle.
 """
 
@@ -31,10 +32,11 @@ from ..plots import picture
 from ..plots.pictures import page
 from ..run.explain import TimeStandsStill
 from ..run.simulate import run_node
-from ..run.source import load, load_source, split_words
+from ..run.source import CPP, load, load_source, split_words
 from ..run.streams import capture
 from ..world.graph import TickLog
 from ..world.world import NotSimulated
+from .launched import launched
 
 __all__ = ["plot", "setup"]
 
@@ -63,10 +65,11 @@ _CORRECTED = {
     '<summary aria-label="Toggle hidden content">': "<summary>",
 }
 
-# The folder of the programs of listings in C++, and the class that names one by the SHA-256 of its file.
+# The folder of the programs of listings in C++, and of what launch files start, and the classes that name these by the
+# SHA-256 of their files: what a listing is, and what it needs besides.
 _PROGRAMS = "_static/programs"
 _COMPILER = "_static/clang"
-_PROGRAM = re.compile(r"\bprogram-([\da-f]{64})\b")
+_PROGRAM = re.compile(r"\b(?:program|launch|needs)-([\da-f]{64})\b")
 
 _INLINE_SCRIPT = re.compile(r"<script(?![^>]*\bsrc=)[^>]*>(.*?)</script>", re.DOTALL)
 _CHARSET = '<meta charset="utf-8" />'
@@ -105,23 +108,41 @@ def _add_below(app: Sphinx, doctree: nodes.document, name: str) -> None:
         captioned = isinstance(listing.parent, nodes.container) and "literal-block-wrapper" in listing.parent["classes"]
         place = listing.parent if captioned else listing
         where = place.parent.index(place) + 1
-        file = listing["source"] if listing.get("language") == "cpp" else ""
+        language, folder = listing.get("language"), Path(app.outdir, _PROGRAMS)
+        file = listing["source"] if language in ("cpp", "xml") else ""
         if file and app.builder.format == "html":
-            listing["classes"].append(f"program-{_publish(Path(file), Path(app.outdir, _PROGRAMS))}")
-        place.parent.insert(where, nodes.raw("", plot(listing.astext(), file) + _NO_SCRIPT, format="html"))
+            publish = _publish_launch if language == "xml" else _publish
+            listing["classes"] += publish(Path(file), folder)
+        made = "" if language == "xml" else plot(listing.astext(), file)
+        place.parent.insert(where, nodes.raw("", made + _NO_SCRIPT, format="html"))
 
 
-def _publish(file: Path, folder: Path) -> str:
-    """Put the program of a C++ node into a folder, and return the SHA-256 of its file."""
+def _publish(file: Path, folder: Path) -> list[str]:
+    """Put the program of a C++ node into a folder, and return the class that names it."""
     program = build(file).program
     packed = program.with_suffix(".gz")
     if not packed.exists():
         beside = packed.with_suffix(f".{os.getpid()}")
         beside.write_bytes(gzip.compress(lean(program.read_bytes(), file.read_text(encoding="utf-8")), mtime=0))
         beside.rename(packed)
-    digest = hashlib.sha256(packed.read_bytes()).hexdigest()
+    return [f"program-{_put(packed.read_bytes(), folder)}"]
+
+
+def _publish_launch(file: Path, folder: Path) -> list[str]:
+    """Put what a launch file starts into a folder, and return the classes that name it."""
+    path, names, around = launched(file)
+    programs = {name: _publish(around / name, folder)[0] for name in names if name.endswith(CPP)}
+    needs = {name: program.removeprefix("program-") for name, program in programs.items()}
+    files = {name: (around / name).read_text(encoding="utf-8") for name in names}
+    data = json.dumps({"path": path, "files": files, "programs": needs}).encode()
+    return [f"launch-{_put(gzip.compress(data, mtime=0), folder)}", *(f"needs-{each}" for each in needs.values())]
+
+
+def _put(data: bytes, folder: Path) -> str:
+    """Write a file that is named by its SHA-256, which is returned."""
+    digest = hashlib.sha256(data).hexdigest()
     folder.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(packed, folder / f"{digest}.wasm.gz")
+    (folder / f"{digest}.gz").write_bytes(data)
     return digest
 
 

@@ -47,7 +47,7 @@ def _parser(name: str) -> _Parser:
 
 
 def _below_its_magic(cell: str) -> str:
-    """Put an empty line in the place of the magic's line, so that the line numbers are those of the cell."""
+    """Put an empty line in the place of the magic's line, so that the line numbers are the cell's."""
     return f"\n{cell}"
 
 

@@ -62,7 +62,7 @@ class TicksDirective(SphinxDirective):
     it shows the messages that the node published on a topic, in place of its ticks. One file has a row for each of its
     callbacks that ticked; ``:callbacks: NAMES`` gives these one, in this order, also one that is never called.
 
-    ``:faults:`` are what is to go wrong with the one FILE, each on a line, as in ``Crash("/node", at=2.0)``.
+    ``:faults:`` are what should go wrong with the one FILE, each on a line, as in ``Crash("/node", at=2.0)``.
 
     ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number; a run is made now for each value. The
     number replaces ``{}`` in ARGS, or what the file assigns to the variable named by ``:sets:``. It begins with
@@ -564,7 +564,7 @@ def name_exercises(app: Sphinx, page: nodes.document) -> None:
                 section = section.parent
             above = section.parent
             if "exercise" in section["classes"] and above[0].astext().endswith(section[0].astext().partition(": ")[2]):
-                place = above.index(section)  # the heading is on the page, and not that of the directive
+                place = above.index(section)  # the heading is on the page, and not the directive's
                 above[place : place + 1] = section.children[1:]
                 section = above
             labels.note_hyperlink_target(match[1], app.env.docname, match[1])

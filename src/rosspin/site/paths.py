@@ -1,9 +1,9 @@
 """Sphinx extension: paths through the site, and on each page of one where on it that is, and what comes next.
 
-A table of the class ``path`` is one: its name is that of the path, its caption the title, and each row a step: the page
-that it links to with ``:doc:``, or sections of one, linked to with ``:ref:``. A link with ``?path=NAME``, as those of
-the table are, chooses a path, which ``edition.js`` remembers. Before one is chosen, a page is on the first of its
-paths, those of the class ``course`` before others; along that, the links to the next and the previous page lead.
+A table of the class ``path`` is one: its name is the path's, its caption the title, and each row a step: the page
+that it links to with ``:doc:``, or sections of one, linked to with ``:ref:``. A link with ``?path=NAME``, as in
+the table, chooses a path, which ``edition.js`` remembers. Before one is chosen, a page is on the first of its
+paths, of the class ``course`` before others; along that, the links to the next and the previous page lead.
 """
 
 from __future__ import annotations

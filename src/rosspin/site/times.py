@@ -1,6 +1,6 @@
 """Sphinx extension: how many minutes a page takes, by one rule, from what there is on it to read, to run and to type.
 
-The role ``minutes`` gives those of one or several pages, ``:minutes:`/notebooks/timer /notebooks/rate```, rounded to
+The role ``minutes`` gives them for one or several pages, ``:minutes:`/notebooks/timer /notebooks/rate```, rounded to
 five; with the word ``building`` at its end also those for the commands on them. JupyterLab shows a notebook without
 Sphinx, so a notebook has its number as text. The build lists one that is not the rule's; ``make outputs`` writes it.
 """

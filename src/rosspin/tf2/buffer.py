@@ -165,7 +165,7 @@ for _class in (NotImplementedException, TypeException):
 class _Registration:
     """Functions by what they are for. All of one kind have the same ones.
 
-    Those of tf2_geometry_msgs are there if the node has imported it, for its own messages.
+    tf2_geometry_msgs's are there if the node has imported it, for its own messages.
     """
 
     def _get(self, functions: dict[Any, Callable[..., Any]], key: Any, beside: str = "") -> Callable[..., Any]:

@@ -94,7 +94,7 @@ class Moving:
 
 
 class _Static:
-    """Where a frame is forever; the methods are those of :class:`Moving`."""
+    """Where a frame is always; the methods are as in :class:`Moving`."""
 
     stamps = (0,)
 

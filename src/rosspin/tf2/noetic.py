@@ -1,4 +1,4 @@
-"""tf2's core as it is in ROS 1 (sources: buffer_core.cpp, cache.cpp 0.7.6): what differs from that of ROS 2."""
+"""tf2's core as it is in ROS 1 (sources: buffer_core.cpp, cache.cpp 0.7.6): what differs from ROS 2's."""
 
 from __future__ import annotations
 

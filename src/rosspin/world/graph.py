@@ -61,11 +61,11 @@ class Wire(Protocol):
 
 
 class Faults(Protocol):
-    """What is to go wrong in a run."""
+    """What should go wrong in a run."""
 
     @property
     def slows(self) -> bool:
-        """Whether callbacks are to be told before each call."""
+        """Whether callbacks should be told before each call."""
 
     def call(self, node: str, callback: Any) -> None:
         """Let the time pass that a callback of a node takes longer. This is called in its place, just before it."""
@@ -78,8 +78,8 @@ class Faults(Protocol):
     ) -> Wire | None:
         """Return what carries messages from one node to another, whose world is given; None if nothing befalls them.
 
-        They are those of the topic ``name`` or, of a service, its "request" or "response", the ``part``. ``reliable``
-        is that of a pair of ROS 2; None is TCP. The run ends with ValueError for what they cannot do.
+        They are for the topic ``name`` or, for a service, its "request" or "response", the ``part``. ``reliable``
+        says it of a pair in ROS 2; None is TCP. The run ends with ValueError for what they cannot do.
         """
 
 
@@ -118,7 +118,7 @@ class TickLog:
     longer in the processor's cache when it is needed again, and that the garbage collector goes through.
     """
 
-    # Called with what executors do and of what, if the run is to be gone through step by step.
+    # Called with what executors do and of what, if the run should be gone through step by step.
     tell: Callable[..., None] | None = None
 
     def __init__(self) -> None:

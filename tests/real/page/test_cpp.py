@@ -8,12 +8,13 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from listings_in_page import Cell
+from listings_in_page import Cell, unfold
 from playwright.sync_api import BrowserContext, Page, expect
 from tree import EXAMPLES
 
 from rosspin import simulate
-from rosspin.measures import describe_timeline
+from rosspin.measures import by_source, describe_timeline
+from rosspin.results.pinned import as_test
 
 pytestmark = pytest.mark.shares(4)
 
@@ -52,6 +53,57 @@ def test_the_first_click_loads_at_most_150_kb_and_no_python(
     assert ["counter = 1" in line for line in cell.marked()] == [True]
 
 
+@pytest.mark.parametrize("address_of_page", TIMER)
+def test_a_run_is_copied_as_a_test(context: BrowserContext, address: str, address_of_page: str) -> None:
+    context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page = context.new_page()
+    page.goto(address + address_of_page)
+    cell = Cell(page, 0, CPP)
+    cell.run(2)
+    cell.ends("done")
+    cell.button("Copy as test").click()
+    expect(cell.status).to_have_text("the test is copied: save it in a file for pytest", timeout=60_000)
+    file = EXAMPLES / TIMER[address_of_page]
+    run = simulate(file, 2)
+    expected = as_test(file.read_text(encoding="utf-8"), file.name, 2, (), COLOURS.sub("", run.console), run.ticks)
+    assert page.evaluate("navigator.clipboard.readText()") == expected
+
+
+# The pages that show a launch file, and the file.
+LAUNCHED = {
+    "docs/tutorial.html": "my_robotics_pkg/launch/spinner.launch",
+    "docs/reference/launch-files.html": "my_robotics_pkg_ros2_cpp/launch/spinner.launch.xml",
+}
+
+
+@pytest.mark.parametrize("address_of_page", LAUNCHED)
+def test_a_launch_file_starts_a_node_in_each_language(page: Page, address: str, address_of_page: str) -> None:
+    page.goto(address + address_of_page)
+    cell = Cell(page, 0, "div.live.highlight-xml")
+    cell.run(2)
+    file = EXAMPLES / LAUNCHED[address_of_page]
+    run = simulate(file, 2)
+    assert cell.ends("done: 8 ticks", 60_000) == COLOURS.sub("", run.console)
+    expect(cell.plot).to_contain_text("spinner_cpp_node")
+    cell.write(file.read_text(encoding="utf-8").replace('"mrp"', '"lab"'))
+    cell.run(1)
+    assert "/lab" in cell.ends("done: 4 ticks", 60_000)
+    cell.write("<launch>")
+    cell.run(1)
+    assert f"{Path(LAUNCHED[address_of_page]).name}:1: " in cell.ends("error", 60_000)
+
+
+def test_a_launch_file_starts_the_nodes_as_they_stand_there(page: Page, address: str) -> None:
+    page.goto(f"{address}docs/tutorial.html?lang=python")
+    node = Cell(page, 0, "div.live:has([aria-label='Run spinner_py_node.py'])")
+    text = node.element.locator(".highlight pre").text_content() or ""
+    node.write(text.replace("PY NODE", "CHANGED NODE"))
+    cell = Cell(page, 0, "div.live.highlight-xml")
+    cell.run(1)
+    console = cell.ends("done: 4 ticks", 60_000)
+    assert "CHANGED NODE] counter = 2" in console and "CPP NODE] counter = 2" in console
+
+
 def test_without_jspi(context: BrowserContext, address: str) -> None:
     page = context.new_page()
     page.add_init_script("delete WebAssembly.Suspending")
@@ -76,6 +128,7 @@ def test_stop_reset_and_again(page: Page, address: str) -> None:
 
 def test_arguments_reach_a_node(page: Page, address: str) -> None:
     page.goto(f"{address}docs/publish.html?lang=cpp")
+    unfold(page)
     cell = Cell(page, 0, f"{CPP}:has([aria-label='Run eager_cpp_node.cpp'])")
     field = cell.element.get_by_role("textbox", name="Arguments")
     expect(field).to_have_attribute("placeholder", "_frequency:=5")
@@ -85,6 +138,65 @@ def test_arguments_reach_a_node(page: Page, address: str) -> None:
     field.fill("'_latch:=true")
     cell.run(2)
     assert cell.ends("error") == "arguments: no closing quotation\n"
+
+
+# Where the publisher and the subscriber of a page are, by their languages.
+FOLDERS = {
+    "docs/publish.html": {"cpp": "my_robotics_pkg/src", "py": "my_robotics_pkg/src"},
+    "docs/ros2/publish.html": {
+        "cpp": "my_robotics_pkg_ros2_cpp/src",
+        "py": "my_robotics_pkg_ros2/my_robotics_pkg",
+    },
+}
+
+
+@pytest.mark.parametrize("address_of_page", FOLDERS)
+def test_nodes_run_together_in_one_language_or_in_two(page: Page, address: str, address_of_page: str) -> None:
+    def node(kind: str, language: str) -> Path:
+        return EXAMPLES / FOLDERS[address_of_page][language] / f"{kind}_{language}_node.{language}"
+
+    page.goto(f"{address}{address_of_page}?lang=cpp")
+    unfold(page)
+    for own, other in (("publisher", "subscriber"), ("subscriber", "publisher")):
+        cell = Cell(page, 0, f"{CPP}:has([aria-label='Run {own}_cpp_node.cpp'])")
+        cell.element.get_by_role("spinbutton").fill("2")
+        cell.element.get_by_role("combobox").select_option("instantly")
+        for label, language in (("Run both", "cpp"), ("Run with Python", "py")):
+            run = simulate([node(own, "cpp"), node(other, language)], 2)
+            cell.button(label).click()
+            assert cell.ends(f"done: {len(run.ticks)} ticks", 60_000) == COLOURS.sub("", run.console)
+            assert "counter = 4" in run.console
+            alternative = " ".join(describe_timeline(name, ticks) for name, ticks in by_source(run.ticks).items())
+            expect(cell.plot).to_have_attribute("aria-label", f"Timeline. {alternative}")
+    page.goto(f"{address}{address_of_page}?lang=python")
+    unfold(page)
+    cell = Cell(page, 0, "div.live:has([aria-label='Run publisher_py_node.py'])")
+    cell.element.get_by_role("spinbutton").fill("2")
+    cell.button("Run with C\\+\\+").click()
+    expected = simulate([node("publisher", "py"), node("subscriber", "cpp")], 2).console
+    assert cell.ends("done: 4 ticks", 60_000) == COLOURS.sub("", expected)
+
+
+def test_a_pair_can_be_stopped_and_needs_jspi(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    page.goto(f"{address}docs/publish.html?lang=cpp")
+    unfold(page)
+    cell = Cell(page, 0, f"{CPP}:has([aria-label='Run subscriber_cpp_node.cpp'])")
+    cell.element.get_by_role("spinbutton").fill("1000")
+    cell.element.get_by_role("combobox").select_option("real time")
+    cell.button("Run both").click()
+    expect(cell.console).to_contain_text("counter = 2", timeout=60_000)
+    cell.button("Stop").click()
+    expect(cell.status).to_have_text("stopped")
+
+    page = context.new_page()
+    page.add_init_script("delete WebAssembly.Suspending")
+    page.goto(f"{address}docs/publish.html?lang=cpp")
+    unfold(page)
+    cell = Cell(page, 0, f"{CPP}:has([aria-label='Run subscriber_cpp_node.cpp'])")
+    cell.button("Run both").click()
+    expect(cell.status).to_contain_text("runs one node at a time: it lacks JSPI, which Chrome")
+    expect(cell.button("Run with Python")).to_be_hidden()
 
 
 def test_a_program_that_is_another_one_is_not_run(context: BrowserContext, address: str) -> None:
@@ -137,3 +249,37 @@ def test_a_change_is_compiled_here(page: Page, address: str, tmp_path: Path) -> 
     received.run(1)
     assert "counter = 4" in received.ends("done: 4 ticks", 120_000)
     assert not [url for url in asked if "/clang/" in url and url.endswith(".gz")]
+
+
+def test_a_changed_partner(page: Page, address: str) -> None:
+    """It is compiled as it stands there. One that does not compile, never ends, prints without end or uses a null
+    pointer harms no page."""
+    page.goto(f"{address}docs/publish.html?lang=cpp")
+    unfold(page)
+    publisher, subscriber = (
+        Cell(page, 0, f"{CPP}:has([aria-label='Run {name}_cpp_node.cpp'])") for name in ("publisher", "subscriber")
+    )
+    text = publisher.element.locator(".highlight pre").text_content() or ""
+    for cell in (publisher, subscriber):
+        cell.element.get_by_role("spinbutton").fill("2")
+    publisher.write(text.replace("ros::spin();", "ros::spin()"))
+    subscriber.button("Run both").click()
+    assert "publisher_cpp_node.cpp:" in subscriber.ends("error", 120_000)
+    expect(subscriber.element.locator(".live-fault")).to_have_count(0)
+    publisher.write(text.replace("Duration(0.5)", "Duration(0.25)").replace("= 0.5;", "= 0.25;"))
+    for label in ("Run both", "Run with Python"):
+        publisher.button(label).click()
+        assert "counter = 8" in publisher.ends("done: 8 ticks", 120_000)
+    publisher.write(text.replace("ros::spin();", "int* none = nullptr; *none = 1;"))
+    subscriber.button("Run both").click()
+    assert "publisher_cpp_node.cpp: it has used a null pointer" in subscriber.ends("done|error", 120_000)
+    for loop in ("for (volatile int i = 0;; i++) {}", 'for (;;) ROS_INFO("more");'):
+        publisher.write(text.replace("ros::spin();", loop))
+        subscriber.button("Run both").click()
+        expect(subscriber.status).to_have_text("running", timeout=120_000)
+        if "more" in loop:
+            expect(subscriber.element).to_contain_text("left out")
+        subscriber.button("Stop").click()
+        expect(subscriber.status).to_have_text("stopped")
+    subscriber.run(1)
+    assert "SUBSCRIBER CPP NODE" in subscriber.ends("done")

@@ -86,7 +86,7 @@ def test_answers_are_judged(firefox_page: Tab, site: Path) -> None:
 # Runs what came with a link until some of it is left out, and stops it: how much there was to lay out.
 FLOOD = f"""async index => {{
     const turn = () => new Promise(go => setTimeout(go, 50))
-    const cell = document.querySelectorAll("div.live:not(.highlight-cpp)")[index]
+    const cell = document.querySelectorAll("div.live:not(.highlight-cpp, .highlight-xml)")[index]
     const status = cell.querySelector("[role=status]")
     const press = name => [...cell.querySelectorAll("button")].find(button => button.textContent === name).click()
     while (!cell.querySelector(".live-notice")?.textContent) await turn()

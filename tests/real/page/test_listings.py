@@ -14,6 +14,7 @@ from listings_in_page import (
     Cell,
     node,
     open_tutorial,
+    unfold,
 )
 from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
@@ -45,7 +46,6 @@ def test_the_language_is_asked_and_remembered(
     page.wait_for_url(re.compile(rf"tutorial\.html\?.*lang={language}$"))
     expect(Cell(page, 0).button("Run")).to_be_visible(visible=shown)
     page.goto(address + "docs/ros2/tutorial.html")
-    expect(page.get_by_text("You can run the Python listings on this page")).to_be_visible(visible=shown)
     expect(Cell(page, 0).button("Run")).to_be_visible(visible=shown)
     page.goto(address + "docs/how-to/frequency-from-parameter.html")
     expect(Cell(page, 1).button("Run")).to_be_visible(visible=shown)
@@ -68,6 +68,7 @@ def test_choosing_a_language_at_the_top_shows_listings_with_run(context: Browser
     page.goto(address + TUTORIAL)
     expect(Cell(page, 0).button("Run")).to_be_hidden()
     page.locator(".sd-tab-set").first.locator(".sd-tab-label", has_text="Python").click()
+    unfold(page)
     for index in range(len(LISTINGS)):
         expect(Cell(page, index).button("Run")).to_be_visible()
 
@@ -97,6 +98,7 @@ def test_without_jspi(context: BrowserContext, address: str) -> None:
     page = context.new_page()
     page.add_init_script("delete WebAssembly.Suspending")
     page.goto(address + TUTORIAL)
+    unfold(page)
     _is_plain(page, "This browser cannot run this listing: it lacks JSPI")
 
 

@@ -15,6 +15,7 @@ from listings_in_page import (
     Cell,
     node,
     node2,
+    unfold,
 )
 from notebook_nodes import NODES
 from notebook_nodes import ROS2 as NODES_ROS2
@@ -58,6 +59,7 @@ def test_run_is_on_the_first_screen_and_so_is_what_it_gives(browser: Browser, ad
 
 def test_a_run_that_prints_nothing_can_be_reset(page: Page, address: str) -> None:
     page.goto(f"{address}docs/publish.html")
+    unfold(page)
     cell = Cell(page, 0, "div.live:has([aria-label='Run slowing_py_node.py'])")
     made, reset = cell.element.locator("figure.live-made"), cell.button("Reset")
     expect(reset).to_have_attribute("aria-disabled", "true")
@@ -227,6 +229,7 @@ def both(context: BrowserContext, address: str) -> tuple[Cell, Cell]:
     """The publisher and the subscriber of the tutorial on topics."""
     page = context.new_page()
     page.goto(f"{address}docs/publish.html?lang=python")
+    unfold(page)
     publisher, subscriber, *_ = (Cell(page, index) for index in range(page.locator(IN_PYTHON).count()))
     return publisher, subscriber
 
@@ -264,6 +267,7 @@ def test_they_run_as_they_stand_there(both: tuple[Cell, Cell]) -> None:
 def test_a_page_may_have_several_pairs(context: BrowserContext, address: str) -> None:
     page = context.new_page()
     page.goto(f"{address}docs/ros2/publish.html")
+    unfold(page)
     cells = [Cell(page, index) for index in range(page.locator(IN_PYTHON).count())]
     names = ["publisher", "subscriber", "thirty", "slow", "eager", "late"]
     folders = [EXAMPLES / NODES_ROS2] * 2 + [EXAMPLES / "topics/ros2"] * 4

@@ -6,7 +6,7 @@ import re
 
 import pytest
 from axe import in_both_schemes
-from listings_in_page import Cell
+from listings_in_page import Cell, unfold
 from playwright.sync_api import Browser, Locator, Page, expect
 from readers import reader
 
@@ -173,6 +173,7 @@ def test_the_threads_of_a_node_of_ros_1(tutorial: Page) -> None:
 def test_nodes_that_run_together(page: Page, address: str, own: str) -> None:
     """Both are drawn; the lines are those of the listing below which they ran."""
     page.goto(f"{address}docs/ros2/publish.html?lang=python")
+    unfold(page)
     cell = Cell(page, ["publisher", "subscriber"].index(own))
     cell.element.get_by_role("spinbutton").fill("0.6")
     cell.element.get_by_role("button", name="Run both").click()

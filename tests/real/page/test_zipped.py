@@ -124,6 +124,13 @@ def _runs(page: Page, address: str) -> None:
     cell = Cell(tab, 0)
     cell.run(2)
     assert "counter = 4" in cell.ends("done: 4 ticks")
+    tab.goto(f"{address}docs/ros2/tutorial.html?lang=cpp")
+    cell = Cell(tab, 0, "div.live.highlight-cpp")
+    cell.run(2)
+    assert "counter = 4" in cell.ends("done: 4 ticks")
+    cell.write((cell.element.locator(".highlight pre").text_content() or "").replace("(0.5)", "(0.25)"))
+    cell.run(2)
+    assert "counter = 8" in cell.ends("done: 8 ticks", 120_000)
     tab.goto(f"{address}docs/slides/ros1.html?slides")
     tab.get_by_role("button", name="Next").click()
     assert not wrong

@@ -8,7 +8,7 @@ import textwrap
 from pathlib import Path
 
 import pytest
-from author import HOW_TO, copied, entry_of, listed_in, places_in, typed, without_runs
+from author import HOW_TO, copied, listed_in, places_in, typed, without_runs
 from small_sites import build
 from small_sites import site as small_site
 from tree import ROOT
@@ -37,8 +37,9 @@ _RISES = "a handle goes from a number to a greater one, by a step above 0"
 _WRONG_FIGURES = {
     f"{_NODE}\n:seconds: 2\n:handle: Delta{_SLIDER}\n:sets: delta": f"{_NODE} assigns no number to delta",
     f"{_NODE}\n:seconds: 2\n:handle: Delta from 0.1 to 1\n:at: 0.5": "a handle is LABEL, FROM to TO by STEP UNIT",
-    f"{_PROBE}.cpp _threads:=2\n:seconds: 2": (
-        "rosspin.world.world.NotSimulated: ros::AsyncSpinner is not simulated; run this node on a real ROS"
+    f"{_PROBE}.cpp _threads:=2 _second_timer:=true _block:=0.7\n:seconds: 2": (
+        "rosspin.world.world.NotSimulated: ros::AsyncSpinner with two threads at work at the same time is not "
+        "simulated; run this node on a real ROS"
     ),
     f"{_PROBE}.cc\n:seconds: 2": f"there is no {_PROBE}.cc: a path begins where the page is",
     f"{_NODE}\n:seconds: 2\n:callbacks: timerCallback tick": f"{_NODE} defines no tick",
@@ -62,20 +63,19 @@ _WRONG_SCENES = {
     f"{_NODE}\n:seconds: 1": "no executor of ROS 2 has spun, or the node has too many callbacks",
 }
 
-_START = "```{code-cell} ipython3\n%load_ext rosspin\n```\n\n"
-_SOLUTION = "```{code-cell} ipython3\n:tags: [hide-cell]\n\n%%answer slow-timer\nafter_1_0_seconds = [1]\n```\n"
+_SHOWN = "```{exercise} first-call\n:solution:\n```\n"
 
 
 @pytest.fixture(scope="module")
 def wrong(few: Path) -> str:
-    """What is listed where figures cannot be made, a solution is wrong, and an exercise has no cell."""
+    """What is listed where figures cannot be made, and an exercise is left out."""
     figures, exercises = few / "docs" / "glossary.rst", few / EXERCISES
     with open(figures, "a") as page:
         for directive, texts in (("ticks", _WRONG_FIGURES), ("scenes", _WRONG_SCENES)):
             page.writelines(f"\n.. {directive}:: " + text.replace("\n", "\n   ") + "\n" for text in texts)
-    text = without_runs((ROOT / EXERCISES).read_text()).replace("%%answer first-call\n", "%%answer\n")
-    reader = _SOLUTION.replace("hide-cell", "live")
-    exercises.write_text(text + _START + _SOLUTION + reader)
+    text = without_runs((ROOT / EXERCISES).read_text())
+    assert text.count(_SHOWN) == 1
+    exercises.write_text(text.replace(_SHOWN, ""))
     run = typed("make doctest", few)
     assert run.returncode != 0
     return listed_in(run.stdout)
@@ -84,7 +84,7 @@ def wrong(few: Path) -> str:
 def test_a_figure_that_cannot_be_made_is_in_the_list(wrong: str) -> None:
     reasons = [*_WRONG_FIGURES.values(), *_WRONG_SCENES.values()]
     for why in reasons:
-        entry = rf"docs/glossary\.rst:\d+\n  stands  a plot of .*\n  now     {re.escape(why)}\n"
+        entry = rf"docs/glossary\.rst:\d+\n  was     a plot of .*\n  now     {re.escape(why)}\n"
         assert re.search(entry, wrong), why
     assert len([page for page, _ in places_in(wrong) if page == "docs/glossary.rst"]) == len(reasons)
 
@@ -100,15 +100,10 @@ def test_the_cell_with_a_slider_makes_a_figure(monkeypatch: pytest.MonkeyPatch) 
     assert 'max="2"' in figure.html and "0.4 s" in figure.html
 
 
-def test_exercises_are_solved_by_their_solutions_and_none_is_missing(few: Path, wrong: str) -> None:
-    page = (few / EXERCISES).read_text()
-    line = page.count("\n", 0, page.index(_SOLUTION) + _SOLUTION.index("%%")) + 1
-    entry = entry_of(wrong, f"notebooks/ros2-exercises.md:{line}\n")
-    assert re.search(r"stands +%%answer slow-timer\n +now +Exercise \d+: not yet\.\n(.*\n)* +Hint: ", entry)
-    assert wrong.count("%%answer slow-timer") == 1  # where a reader starts, an answer need not be right
-    said = r'no cell with %%answer first-call\n  now     rosspin\.exercises checks exercise \d+, "When the first call '
+def test_an_exercise_that_is_missing_is_in_the_list(wrong: str) -> None:
+    said = r'no exercise first-call\n  now     rosspin\.exercises checks exercise \d+, "When the first call '
     assert re.search(said, wrong)
-    assert wrong.count("no cell with") == 1
+    assert wrong.count("no exercise ") == 1
 
 
 # --- facts ------------------------------------------------------------------------------------------------------------
@@ -201,7 +196,7 @@ def test_code_in_a_notebook_is_no_sentence() -> None:
 def test_the_list_is_by_page_and_line() -> None:
     text = report([Stale("b", 1, "x", "y"), Stale("a", 20, "x\ny", "z", "A sentence."), Stale("a", 3, "x", "y")])
     assert re.findall(r"^[ab]:\d+", text, re.MULTILINE) == ["a:3", "a:20", "b:1"]
-    assert "a:20\n  text    A sentence.\n  stands  x\n          y\n  now     z\n" in text
+    assert "a:20\n  text    A sentence.\n  was     x\n          y\n  now     z\n" in text
 
 
 # --- the outputs ------------------------------------------------------------------------------------------------------

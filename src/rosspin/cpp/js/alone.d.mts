@@ -8,6 +8,8 @@ interface Told {
   pace(now: number): void
 }
 
+export const COLOURS: RegExp
+
 export class Alone {
   constructor(
     module: WebAssembly.Module,

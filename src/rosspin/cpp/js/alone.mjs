@@ -5,6 +5,8 @@ import { Ros1 } from "./ros1.mjs"
 import { Ros2 } from "./ros2.mjs"
 import { packed, unpacked } from "./values.mjs"
 
+export { COLOURS } from "./values.mjs"
+
 const NS = 1_000_000_000
 
 /** So long (s) after Ctrl-C it is killed: see run/host.py. */

@@ -40,17 +40,32 @@ export class Node {
   run() {
     let end
     try {
-      end = { status: this.program.run((program) => this.#imports(program)) }
+      end = { status: this.program.run((...given) => this.#imports(...given)) }
     } catch (error) {
-      if (!(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) throw error
-      end = { trap: why(error.message), where: this.#places(error) }
+      end = this.#trap(error)
     }
     this.pass(this.#batch(end))
   }
 
+  /** Run it beside others: what `exchange` returns are promises. */
+  async runSuspended() {
+    const end = await this.program.runSuspended((...given) => this.#imports(...given)).then(
+      (status) => ({ status }),
+      (error) => this.#trap(error),
+    )
+    this.pass(this.#batch(end))
+  }
+
+  #trap(error) {
+    if (!(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) throw error
+    return { trap: why(error.message), where: this.#places(error) }
+  }
+
   write(fd, bytes) {
-    let text = ""
-    for (const byte of bytes) text += String.fromCharCode(byte)
+    this.print(fd, long(bytes))
+  }
+
+  print(fd, text) {
     this.note("out", fd, text)
   }
 
@@ -58,15 +73,25 @@ export class Node {
     for (let at = 0; at < bytes.length; at++) bytes[at] = this.draw()
   }
 
-  sleep(until) {
+  *sleep(until) {
     const { shared } = this
     if (until < shared.horizon && !shared.urgent) {
       if (until > shared.now) shared.now = until
       return
     }
     shared.urgent = false
-    if (!this.coming.length) this.#heed(this.exchange(this.#batch({ wake: String(until) })))
-    for (const come of this.coming.splice(0)) come()
+    if (!this.coming.length) this.#heed(yield this.#batch({ wake: String(until) }))
+    for (const come of this.coming.splice(0)) {
+      const done = come()
+      if (done) yield done // a promise
+    }
+  }
+
+  /** Tell what there is to tell, if ticks are. */
+  tellTicks() {
+    const batch = this.#batch({})
+    if (batch.ticks) this.pass(batch)
+    else this.log = batch.log
   }
 
   note(...entry) {
@@ -85,10 +110,11 @@ export class Node {
     shared.now = BigInt(now)
     shared.ahead = BigInt(ahead)
     shared.horizon = BigInt(horizon)
+    const [event, signal] = [program.exports.rosspin_event, program.exports.rosspin_signal].map(program.into)
     for (const [when, text] of events) {
-      coming.push(() => program.exports.rosspin_event(program.give(bytes(`${text}\0`)), BigInt(when)))
+      coming.push(() => event(program.give(bytes(`${text}\0`)), BigInt(when)))
     }
-    for (const number of signals) coming.push(() => program.exports.rosspin_signal(number))
+    for (const number of signals) coming.push(() => signal(number))
     if (coming.length) shared.urgent = true
   }
 
@@ -104,9 +130,10 @@ export class Node {
     return numbers.map((number) => names.get(number) ?? "")
   }
 
-  #imports(program) {
+  #imports(program, out) {
+    const node = this
     return {
-      wait: (until) => program.sleep(until),
+      wait: out((until) => node.sleep(until)),
       source: (name, length, period) => {
         this.note("source", program.text(name, length), String(period))
         return this.sources++
@@ -117,11 +144,11 @@ export class Node {
         this.note("tell", long(program.bytes(text, length)))
         this.shared.urgent = true
       },
-      ask: (text, length, answered) => {
-        const reply = this.exchange(this.#batch({ asks: long(program.bytes(text, length)) }))
-        this.#heed(reply)
-        return this.#answer(program, reply.answer, answered)
-      },
+      ask: out(function* (text, length, answered) {
+        const reply = yield node.#batch({ asks: long(program.bytes(text, length)) })
+        node.#heed(reply)
+        return node.#answer(program, reply.answer, answered)
+      }),
       name: (address, length) => {
         const found = program.exports.__indirect_function_table.get(address)
         const name = found ? functionNames(this.module).get(Number(found.name)) : undefined
@@ -135,7 +162,7 @@ export class Node {
 function why(said) {
   if (said.includes("call stack")) return "its stack has overflowed: a function may call itself without an end"
   if (said.includes("out of bounds")) return "it has used memory that it does not have, or its stack has overflowed"
-  if (said.includes("unreachable")) return "it has used a null pointer, or left a function without the value that it should return"
+  if (said.includes("unreachable")) return "it has used a null pointer"
   return `it was ended (${said})`
 }
 

@@ -1,6 +1,9 @@
 // Values as a program and its host exchange them (see runtime/host.cpp), in text of which each character is a byte. Integers
 // are bigints; all other numbers are real.
 
+/** The codes of a terminal for colours, which roscpp prints wherever it runs, and no page shows. */
+export const COLOURS = /\x1b\[[\d;]*m/g
+
 export class Bytes {
   constructor(text) {
     this.text = text

@@ -7,9 +7,11 @@ const BADF = 8
 const INVAL = 28
 const NOSYS = 52
 
-// A program that reads the clock so often without waiting waits by reading it: from then on each look takes 1 µs.
+// A program that reads the clock so often without waiting waits by reading it: from then on each look takes 1 µs, and ten
+// times as long each time that it has looked so often again, up to 1 ms (see runtime/host.cpp). To print
+// is to look, too.
 const LOOKS = 10_000
-const LOOK = 1_000n
+const LOOK = [0n, 1_000n, 10_000n, 100_000n, 1_000_000n]
 
 export class Exit extends Error {
   constructor(status) {
@@ -19,9 +21,41 @@ export class Exit extends Error {
 }
 
 /**
+ * How a program calls out to a host, and is called. What it calls are `steps`, a generator function: what that yields is for
+ * the host, whose answer `exchange` returns. This host answers at once.
+ */
+const AT_ONCE = {
+  out:
+    (steps, exchange) =>
+    (...given) => {
+      const going = steps(...given)
+      let step = going.next()
+      while (!step.done) step = going.next(exchange(step.value))
+      return step.value
+    },
+  into: (called) => called,
+}
+
+/** This one answers with a promise, until which the program is suspended (JSPI). What is called may be, too. */
+const SUSPENDED = {
+  out(steps, exchange) {
+    const end = async (going, step) => {
+      while (!step.done) step = going.next(await (step.value instanceof Promise ? step.value : exchange(step.value)))
+      return step.value
+    }
+    return new WebAssembly.Suspending((...given) => {
+      const going = steps(...given)
+      const step = going.next()
+      return step.done ? step.value : end(going, step)
+    })
+  },
+  into: (called) => WebAssembly.promising(called),
+}
+
+/**
  * One program. `link` is what it shares with others: `link.begin(shared)` sets its time, `link.write(fd, bytes)` takes
- * what it prints, `link.sleep(until)` lets the time go on to `until` (bigint, ns) and may come back earlier, with something
- * for the program to do; `link.random(bytes)` fills bytes.
+ * what it prints, `link.sleep(until)` takes the steps in which the time goes on to `until` (bigint, ns) and may come back
+ * earlier, with something for the program to do; `link.exchange` is the host's, and `link.random(bytes)` fills bytes.
  */
 export class Program {
   constructor(module, args, environment, link) {
@@ -33,39 +67,64 @@ export class Program {
 
   /** Run it to its end; return its exit status. What ends it from outside, or a trap, is thrown. */
   run(imports) {
+    this.#begin(imports, AT_ONCE)
+    try {
+      try {
+        this.exports._start()
+      } catch (error) {
+        this.#tell(error)
+      }
+      return 0
+    } catch (error) {
+      return statusOf(error)
+    }
+  }
+
+  /** Do the same beside others: a promise of the exit status. */
+  async runSuspended(imports) {
+    this.#begin(imports, SUSPENDED)
+    try {
+      try {
+        await this.into(this.exports._start)()
+      } catch (error) {
+        await this.#tell(error)
+      }
+      return 0
+    } catch (error) {
+      return statusOf(error)
+    }
+  }
+
+  #begin(imports, calls) {
+    this.into = calls.into
+    const out = (steps) => calls.out(steps, this.link.exchange)
     const instance = new WebAssembly.Instance(this.module, {
-      wasi_snapshot_preview1: this.#complete(this.#wasi()),
-      rosspin: imports(this),
+      wasi_snapshot_preview1: this.#complete(this.#wasi(out)),
+      rosspin: imports(this, out),
     })
     this.exports = instance.exports
     this.memory = instance.exports.memory
     this.shared = new Shared(instance.exports)
     this.link.begin(this.shared)
-    try {
-      try {
-        instance.exports._start()
-        return 0
-      } catch (error) {
-        const tag = instance.exports.__cpp_exception
-        if (!(tag && error instanceof WebAssembly.Exception && error.is(tag))) throw error
-        instance.exports.rosspin_uncaught(error.getArg(tag, 0)) // says what it is, and exits
-        return 1
-      }
-    } catch (error) {
-      if (error instanceof Exit) return error.status
-      throw error
-    }
+  }
+
+  /** Let it tell which exception of C++ it is that has ended it, and exit. Any other error is thrown. */
+  #tell(error) {
+    const tag = this.exports.__cpp_exception
+    if (!(tag && error instanceof WebAssembly.Exception && error.is(tag))) throw error
+    return this.into(this.exports.rosspin_uncaught)(error.getArg(tag, 0))
   }
 
   /** Note that it looks at the time, or at something else; whoever looks again and again waits. */
-  look() {
-    if (++this.shared.looks > LOOKS) this.link.sleep(this.shared.now + LOOK)
+  *look() {
+    const times = Math.floor(this.shared.looks++ / LOOKS)
+    if (times) yield* this.link.sleep(this.shared.now + LOOK[Math.min(times, 4)])
   }
 
-  sleep(until) {
+  *sleep(until) {
     if (until > this.shared.now) this.shared.looks = 0
-    else this.look()
-    return this.link.sleep(until)
+    else yield* this.look()
+    yield* this.link.sleep(until)
   }
 
   text(at, length) {
@@ -86,11 +145,6 @@ export class Program {
   get #view() {
     if (this.seen?.buffer !== this.memory.buffer) this.seen = new DataView(this.memory.buffer)
     return this.seen
-  }
-
-  #time(clock) {
-    this.look()
-    return clock === 0 ? this.shared.now + this.shared.ahead : this.shared.now
   }
 
   #words(words, list, buffer) {
@@ -121,7 +175,8 @@ export class Program {
     return calls
   }
 
-  #wasi() {
+  #wasi(out) {
+    const program = this
     return {
       args_sizes_get: (count, size) => this.#sizes(this.args, count, size),
       args_get: (list, buffer) => this.#words(this.args, list, buffer),
@@ -131,19 +186,21 @@ export class Program {
         this.#view.setBigUint64(at, 1n, true)
         return SUCCESS
       },
-      clock_time_get: (clock, _precision, at) => {
+      clock_time_get: out(function* (clock, _precision, at) {
         if (clock > 1) return INVAL
-        this.#view.setBigUint64(at, this.#time(clock), true)
+        yield* program.look()
+        const { now, ahead } = program.shared
+        program.#view.setBigUint64(at, clock === 0 ? now + ahead : now, true)
         return SUCCESS
-      },
+      }),
       random_get: (at, length) => {
         this.link.random(this.bytes(at, length))
         return SUCCESS
       },
-      sched_yield: () => {
-        this.look()
+      sched_yield: out(function* () {
+        yield* program.look()
         return SUCCESS
-      },
+      }),
       proc_exit: (status) => {
         throw new Exit(status)
       },
@@ -159,51 +216,58 @@ export class Program {
         this.#view.setUint32(read, 0, true) // nobody types
         return SUCCESS
       },
-      fd_write: (fd, list, count, written) => {
+      fd_write: out(function* (fd, list, count, written) {
         if (fd !== 1 && fd !== 2) return BADF
         let total = 0
         for (let each = 0; each < count; each++) {
-          const at = this.#view.getUint32(list + 8 * each, true)
-          const length = this.#view.getUint32(list + 8 * each + 4, true)
-          if (length) this.link.write(fd, this.bytes(at, length))
+          const at = program.#view.getUint32(list + 8 * each, true)
+          const length = program.#view.getUint32(list + 8 * each + 4, true)
+          if (length) program.link.write(fd, program.bytes(at, length))
           total += length
         }
-        this.#view.setUint32(written, total, true)
+        program.#view.setUint32(written, total, true)
+        yield* program.look()
         return SUCCESS
-      },
-      poll_oneoff: (subscriptions, events, count, happened) => {
+      }),
+      poll_oneoff: out(function* (subscriptions, events, count, happened) {
         let found = 0
         const add = (at, error) => {
-          this.bytes(events + 32 * found, 32).fill(0)
-          this.bytes(events + 32 * found, 8).set(this.bytes(at, 8))
-          this.#view.setUint16(events + 32 * found + 8, error, true)
-          this.#view.setUint8(events + 32 * found + 10, this.#view.getUint8(at + 8))
+          program.bytes(events + 32 * found, 32).fill(0)
+          program.bytes(events + 32 * found, 8).set(program.bytes(at, 8))
+          program.#view.setUint16(events + 32 * found + 8, error, true)
+          program.#view.setUint8(events + 32 * found + 10, program.#view.getUint8(at + 8))
           found++
         }
         const dues = []
         for (let each = 0; each < count; each++) {
           const at = subscriptions + 48 * each
-          if (this.#view.getUint8(at + 8) !== 0) {
+          if (program.#view.getUint8(at + 8) !== 0) {
             add(at, SUCCESS) // a stream is always ready
             continue
           }
-          const clock = this.#view.getUint32(at + 16, true)
-          const timeout = this.#view.getBigUint64(at + 24, true)
-          const now = this.shared.now + (clock === 0 ? this.shared.ahead : 0n)
-          const absolute = this.#view.getUint16(at + 40, true) & 1
+          const clock = program.#view.getUint32(at + 16, true)
+          const timeout = program.#view.getBigUint64(at + 24, true)
+          const now = program.shared.now + (clock === 0 ? program.shared.ahead : 0n)
+          const absolute = program.#view.getUint16(at + 40, true) & 1
           dues.push([absolute ? (timeout > now ? timeout - now : 0n) : timeout, at])
         }
         if (!found && dues.length) {
           dues.sort(([one], [other]) => (one < other ? -1 : 1))
-          const until = this.shared.now + dues[0][0]
-          while (this.shared.now < until) this.sleep(until)
+          const until = program.shared.now + dues[0][0]
+          while (program.shared.now < until) yield* program.sleep(until)
           add(dues[0][1], SUCCESS)
         }
-        this.#view.setUint32(happened, found, true)
+        program.#view.setUint32(happened, found, true)
         return SUCCESS
-      },
+      }),
     }
   }
+}
+
+/** The exit status by which a program has ended itself. Any other error is thrown. */
+function statusOf(error) {
+  if (error instanceof Exit) return error.status
+  throw error
 }
 
 const encoder = new TextEncoder()

@@ -17,6 +17,9 @@ struct Node
   CallbackQueue queue;
   std::vector<detail::SubscriptionImpl*> subscriptions;
   bool time = false;
+  std::vector<detail::Spinning*> spinners;  // that have started
+  bool in_spinner = false;  // one of these is calling
+  std::int64_t main_waits = 0;  // until when
 };
 
 Node& node()
@@ -32,6 +35,9 @@ std::int64_t later(std::int64_t time, std::int64_t by)
 {
   return by > rosspin::never - time ? rosspin::never : time + by;
 }
+
+void pause(std::int64_t until);
+bool call_in_spinner();
 }  // namespace
 
 // --- time (sources: rostime/impl/time.h, impl/duration.h, rate.cpp, time.cpp) ---
@@ -83,8 +89,8 @@ std::int64_t now(SteadyTime*) { return rosspin::now(); }
 void sleep_for(std::int64_t ns)
 {
   if (ns < 0)  // the real one asks the system again and again, which refuses
-    rosspin::sleep_until(rosspin::never);
-  rosspin::sleep_until(later(rosspin::now(), ns));
+    pause(rosspin::never);
+  pause(later(rosspin::now(), ns));
 }
 
 bool sleep_until(Time*, std::int64_t ns)
@@ -97,7 +103,7 @@ bool sleep_until(WallTime*, std::int64_t ns) { return sleep_until(static_cast<Ti
 bool sleep_until(SteadyTime*, std::int64_t ns)
 {
   if (ns > rosspin::now())
-    rosspin::sleep_until(ns);
+    pause(ns);
   return true;
 }
 
@@ -396,6 +402,7 @@ bool isStarted() { return node().started; }
 bool ok()
 {
   rosspin::look();
+  while (call_in_spinner()) {}
   return node().ok;
 }
 
@@ -420,19 +427,22 @@ void shutdown()
 
 void requestShutdown() { shutdown(); }
 
-void waitForShutdown()
-{
-  while (node().ok)
-    rosspin::wait(rosspin::never);
-}
-
-// --- callbacks (source: callback_queue.cpp) ---
-
 namespace
 {
 void call_due_timers();
 std::int64_t next_timer();
 }  // namespace
+
+void waitForShutdown()
+{
+  Node& self = node();
+  self.main_waits = rosspin::never;
+  while (self.ok)
+    if (!call_in_spinner())
+      rosspin::wait(next_timer());
+}
+
+// --- callbacks (source: callback_queue.cpp) ---
 
 void CallbackQueue::addCallback(const CallbackInterfacePtr& callback, std::uint64_t owner)
 {
@@ -504,10 +514,104 @@ void CallbackQueue::callAvailable(WallDuration timeout)
 
 CallbackQueue* getGlobalCallbackQueue() { return &node().queue; }
 
+// --- spinners (source: spinner.cpp) ---
+
+namespace detail
+{
+struct Spinning
+{
+  std::uint32_t threads;
+  CallbackQueue* queue;
+  ~Spinning() { stop(); }
+  void stop()
+  {
+    auto& all = node().spinners;
+    all.erase(std::remove(all.begin(), all.end(), this), all.end());
+  }
+};
+}  // namespace detail
+
+namespace
+{
+const char* const two_spinners =
+    "Attempt to spin a callback queue from two spinners, one of them being single-threaded.";
+
+// There is one thread: what a spinner's would call is called while the main one waits. To whoever looks from outside this
+// is the same, unless one of them has to go on while the other is still at it.
+bool call_in_spinner()
+{
+  Node& self = node();
+  if (self.spinners.empty() || self.in_spinner || !self.ok)
+    return false;
+  for (auto each : self.spinners)
+    if (!each->queue->empty())
+    {
+      self.in_spinner = true;
+      each->queue->callOne();
+      self.in_spinner = false;
+      return true;
+    }
+  return false;
+}
+
+void pause(std::int64_t until)
+{
+  Node& self = node();
+  if (self.spinners.empty())
+    return rosspin::sleep_until(until);
+  if (!self.in_spinner)
+    self.main_waits = until;
+  else if (until > self.main_waits)
+    rosspin::not_simulated("ros::AsyncSpinner with a callback that sleeps while the main thread goes on");
+  while (rosspin::now() < until)
+  {
+    if (call_in_spinner())
+      continue;
+    rosspin::wait(std::min(until, next_timer()));
+    for (auto each : self.spinners)
+      if (self.in_spinner && each->threads != 1 && !each->queue->empty() && rosspin::now() < until)
+        rosspin::not_simulated("ros::AsyncSpinner with two threads at work at the same time");
+  }
+  if (!self.in_spinner)
+    self.main_waits = 0;
+}
+}  // namespace
+
+AsyncSpinner::AsyncSpinner(std::uint32_t threads, CallbackQueue* queue)
+  : spinning_(new detail::Spinning{threads, queue ? queue : getGlobalCallbackQueue()})
+{
+}
+
+bool AsyncSpinner::canStart() { return true; }
+
+void AsyncSpinner::start()
+{
+  spinning_->stop();
+  node().spinners.push_back(spinning_.get());
+}
+
+void AsyncSpinner::stop() { spinning_->stop(); }
+
+void MultiThreadedSpinner::spin(CallbackQueue* queue)
+{
+  AsyncSpinner spinner(threads_, queue);
+  spinner.start();
+  rosspin::Ticking::leave_loops();
+  waitForShutdown();
+}
+
 void SingleThreadedSpinner::spin(CallbackQueue* queue)
 {
   if (!queue)
     queue = getGlobalCallbackQueue();
+  for (auto each : node().spinners)
+    if (each->queue == queue)
+    {
+      std::string said = std::string("SingleThreadedSpinner: ") + two_spinners +
+                         " You might want to use a MultiThreadedSpinner instead.";
+      ROS_FATAL_STREAM(said);
+      throw std::runtime_error(said);
+    }
   rosspin::Ticking::leave_loops();
   while (node().ok)
     if (queue->await(rosspin::never))

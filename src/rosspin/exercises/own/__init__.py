@@ -1,6 +1,6 @@
 """Exercises that are one file each: the site's own in this folder, and a teacher's.
 
-A teacher's are in the folder ``lessons`` of the site, or in that of ``ROSSPIN_LESSONS``. A file holds what the exercise
+A teacher's are in the folder ``lessons`` of the site, or in ``ROSSPIN_LESSONS``. A file holds what the exercise
 is called, what it begins with, how an answer is checked, and answers that are right and wrong.
 ``docs/how-to/add-a-lesson.rst`` goes through one. The page's Python has all these files in this folder.
 """
@@ -16,17 +16,36 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
-from ..judging import plain
-from ..questions import Exercise
+from ..judging import Judge, plain
 
-__all__ = ["FAULTS", "FOLDER", "LESSONS", "Answer", "Fault", "Lesson"]
+__all__ = ["EXERCISES", "FAULTS", "FOLDER", "LESSONS", "Answer", "Exercise", "Fault", "Lesson"]
 
 Answer = str | Mapping[str, str]
-"""A text; or what is to be replaced in the solution, or else in that with which the exercise begins, and by what."""
+"""A text; or what should be replaced in the solution, or else in that with which the exercise begins, and by what."""
+
+
+class Exercise(NamedTuple):
+    """An exercise.
+
+    ``name`` stays, whatever comes before it: answers, files and links know it. ``number`` is what is shown, and
+    ``part`` the heading below which it stands on the list of its ``ros``, 1 or 2; empty for one that is on neither.
+    ``needs`` are the pages to read first, as paths without a suffix. ``reveals`` is the misconception that a wrong
+    answer gives away, as its holder would put it. ``hint`` is for answers about which there is nothing more to say.
+    """
+
+    title: str
+    needs: tuple[str, ...]
+    reveals: str
+    hint: str
+    judge: Judge
+    name: str = ""
+    part: str = ""
+    ros: int = 0
+    number: int = 0
 
 
 class Fault(NamedTuple):
-    """What a file lacks, or has wrong: the file and the line, what stands there, and what of it is not right."""
+    """What a file lacks, or has wrong: the file and the line, the text there, and what of it is not right."""
 
     file: Path
     line: int
@@ -38,7 +57,7 @@ class Lesson(NamedTuple):
     """An exercise that is one file: its text, the node that it begins with, its hints, and answers, right and wrong.
 
     ``changed`` is what the answers change: the solution, where the file has one, or the node. With each wrong answer
-    comes a part of what is to be said of it, and maybe one of the hint. The first right one is the solution; ``after``
+    comes a part of what should be said of it, and maybe one of the hint. The first right one is the solution; ``after``
     is what is said below it.
     """
 
@@ -75,6 +94,27 @@ _ASKED: Mapping[str, tuple[type | tuple[type, ...], str]] = {
     "RIGHT": ((list, tuple), "a list of right answers, the first of which is the solution"),
     "WRONG": ((list, tuple), "a list of wrong answers, each with a part of what is said of it"),
 }
+
+_LISTS: Mapping[tuple[int, str], Sequence[str]] = {
+    (2, "Start"): (
+        *("make-it-10-hz", "first-call", "two-timers", "call-back-once", "period-parameter", "move-to-ros-2"),
+    ),
+    (2, "Predict"): ("who-calls", "slow-timer"),
+    (2, "Publish"): ("publish-a-counter", "late-listener", "match-the-qos", "only-the-newest"),
+    (2, "Wait"): (
+        *("starving-neighbour", "ask-without-hanging", "let-a-callback-wait", "slow-service", "cancel-a-goal"),
+        "find-the-order",
+    ),
+    (2, "End"): ("wake-a-rate", "end-without-a-traceback"),
+    (1, "Predict"): ("first-ticks", "after-a-slow-callback", "cpp-ticks"),
+    (1, "Change"): (
+        *("ten-hertz", "fire-once", "stop-after-five", "loop-to-timer", "frequency-parameter", "two-rates"),
+        *("survive-an-overrun", "share-data", "stop-the-motor"),
+    ),
+    (1, "Diagnose"): ("missing-ticks", "name-the-fault"),
+    (1, "Publish"): (*("what-is-heard", "publish-the-counter", "late-subscriber", "newest-position", "rostopic-hz"),),
+}
+"""The exercises of ``notebooks/ros2-exercises.md`` and ``notebooks/exercises.md``, by ROS and part, in their order."""
 
 _IN_ORDER = (
     *("follow_the_line", "lose_the_line", "look_while_driving", "stop_when_blind", "stop_at_ctrl_c", "share_the_wheel"),
@@ -153,3 +193,8 @@ if FOLDER is not None:
 
 LESSONS = tuple(lesson for name, module in _modules() if (lesson := _read(name, module)))
 """These exercises: first the site's, then the teacher's, in the order of their files."""
+
+_others = {lesson.exercise.name: lesson.exercise for lesson in LESSONS}
+_listed = [_others.pop(name)._replace(ros=ros, part=part) for (ros, part), names in _LISTS.items() for name in names]
+EXERCISES = tuple(each._replace(number=number) for number, each in enumerate([*_listed, *_others.values()], 1))
+"""All exercises: on the two lists, with the vehicle, and then the teacher's."""

@@ -90,8 +90,8 @@ SOLUTION = {
     "        self.get_logger().info(future.result().message)\n",
 }
 AFTER = """
-With `await` in place of the done callback, the timer would need a callback group of its own; with `call`, a second
-thread as well, as in the next exercise.
+With `await` instead, the timer needs a callback group of its own; with `call`, a second thread as well: see the next
+exercise.
 """
 
 ASKS_EACH_SECOND = "self.create_timer(1.0, self.timer_callback)"
@@ -126,7 +126,6 @@ POLLS = DONE_AT_ONCE.replace(
 SPINS_IN_IT = DONE_AT_ONCE.replace(
     "        self.get", "        rclpy.spin_until_future_complete(self, future)\n        self.get"
 )
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {
@@ -173,9 +172,8 @@ WRONG = [
             "future.result().message": '"[CAMERA] counter = 1"',
         },
         "`/take_picture` was never asked",
-        "to come from the service",
+        "come from the service",
     ),
     ({"1.0, self.timer": "0.5, self.timer"}, "was asked at 0.5 s, not at 1 s", "is not to change"),
     ({"        self.create_timer(0.5, self.heartbeat_callback)\n": ""}, "heartbeat: no counter", ""),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -81,7 +81,6 @@ SPIN = "        rclpy.spin(spinner_py_node)\n"
 CAUGHT = "    except (KeyboardInterrupt, ExternalShutdownException):\n        pass\n"
 FINALLY = "    finally:\n        rclpy.try_shutdown()\n"
 TRY = f"    try:\n{SPIN}{CAUGHT}{FINALLY}"
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {CANCELS + "        self.counter += 1\n" + SAYS: "        self.counter += 1\n" + SAYS + CANCELS},
@@ -155,5 +154,4 @@ WRONG = [
         "counter 1 came at 0.5 s, not at 1.5 s",
         "Stop the timer itself",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from .. import judges as by
+from ..feedback import Finding
+from ..judging import Answer, plain, say
+from ..seen import Seen
 
 TITLE = "Cancel a goal"
 TEXT = """
@@ -13,8 +18,6 @@ cancel it at 3.2 s, but the server refuses. Change the server so that
 
 - a cancelled goal stops before the next number, with the status 5, "cancelled", and the numbers so far, and
 - any other goal still succeeds, with the status 4 and all ten numbers.
-
-The check also cancels earlier, with `-p cancel_at:=2.2`, and never, with `-p cancel_at:=9.0`.
 """
 REVEALS = "Whoever cancels a goal stops the server. A goal can be cancelled unless the server refuses."
 
@@ -38,7 +41,7 @@ class RobotPyNode(Node):
         self.send = self.create_timer(1.0, self.send_callback)
         self.stop = self.create_timer(cancel_at, self.stop_callback)
 
-    # The server, which you are to change
+    # The server, which you should change
     def execute_callback(self, goal):
         numbers = [0, 1]
         while len(numbers) < goal.request.order:
@@ -47,7 +50,7 @@ class RobotPyNode(Node):
         goal.succeed()
         return Fibonacci.Result(sequence=numbers)
 
-    # The client, which is to stay as it is
+    # The client, which should stay as it is
     def send_callback(self):
         self.send.cancel()
         future = self.client.send_goal_async(Fibonacci.Goal(order=10))
@@ -99,15 +102,59 @@ HINT = (
     "A server is asked whether a goal may be cancelled, by its `cancel_callback`; then it has to stop by "
     "itself, and say `goal.canceled()`."
 )
+_REACHED = {
+    "4": "The server continued to the end. In `execute_callback`, look at `is_cancel_requested` before each number.",
+    "6": "A goal is aborted if its callback says `goal.abort()`, fails, or returns without saying how it ended: "
+    "`goal.canceled()`, `goal.succeed()`.",
+}
+_REFUSED = "Unless it has a `cancel_callback` that returns `CancelResponse.ACCEPT`, a server cancels no goal."
 
-check = by.cancels
+
+def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Finding:
+    """Whether the goal has ended at a time (s), with a status and so many numbers, which the client has printed."""
+    names = {"4": "reached (4)", "5": "cancelled (5)", "6": "aborted (6)"}
+    found, numbers = seen.values("CLIENT", "status"), seen.values("CLIENT", "numbers")
+    cancelled = [line for line in seen.values("CLIENT", "cancelling") if line.time <= seen.seconds]
+    if not found or not numbers:
+        hint = "Does `execute_callback` return a `Fibonacci.Result`? The client should stay as it is."
+        return Finding(False, f"{when}: the client did not hear how the goal ended.", hint)
+    if found[0].text != status:
+        said = names.get(found[0].text, f"`{plain(found[0].text)}`")
+        hint = _REACHED.get(found[0].text, "Only if a cancel was requested: look before you call `canceled()`.")
+        asked = [line.text for line in seen.printed if "Error raised in execute callback" in line.text]
+        if asked:
+            hint = f"`execute_callback` failed: `{plain(asked[0].rpartition('callback: ')[2])}`."
+        elif status == "5" and not cancelled:
+            hint = "The client cancels the goal. It should stay as it is."
+        elif found[0].text == "4" and numbers[0].text != "10":
+            hint = "It succeeded early: `goal.succeed()` in place of `goal.canceled()`, or a client that asks for less."
+        elif status == "5" and cancelled[0].text == "0":
+            hint = _REFUSED
+        return Finding(False, f"{when}: the goal was {said} at {say(found[0].time)}, not {names[status]}.", hint)
+    if abs(found[0].time - at) > by.CLOSE:
+        text = f"{when}: the goal was {names[status]} at {say(found[0].time)}, not at {say(at)}."
+        return Finding(False, text, "Look before each number, and take 0.5 s for each, as before.")
+    if numbers[0].text != str(length):
+        text = f"{when}: the result has {plain(numbers[0].text)} numbers, not {length}."
+        return Finding(False, text, "Return the numbers that the server has, even if the goal is cancelled.")
+    return Finding(True, f"{when}: the goal was {names[status]} at {say(at)}, with {length} numbers.")
+
+
+def check(answer: Answer) -> Iterator[Finding]:
+    """Whether an action server cancels a goal within a step of 0.5 s, and else reaches it."""
+    for at, ends, length in (3.2, 3.5, 7), (2.2, 2.5, 5):
+        seen = answer.run(7.0, f"cancel_at:={at}", has_to_end=False)
+        yield _ended(seen, f"Cancelled at {at} s", "5", ends, length)
+    seen = answer.run(7.0, "cancel_at:=9.0")
+    yield _ended(seen, "Not cancelled", "4", 5.0, 10)
+
 
 SOLUTION = {
     "from rclpy.action import ActionClient, ActionServer\n": "from rclpy.action import ActionClient, "
     "ActionServer, CancelResponse\n",
     '            self, Fibonacci, "fibonacci", self.execute_callback)\n': "            self, Fibonacci, "
     '"fibonacci", self.execute_callback,\n            cancel_callback=self.may_cancel)\n',
-    "    # The server, which you are to change\n": "    # The server, which you are to change\n"
+    "    # The server, which you should change\n": "    # The server, which you should change\n"
     "    def may_cancel(self, goal):\n"
     "        return CancelResponse.ACCEPT\n"
     "\n",
@@ -131,7 +178,6 @@ MAY_CANCEL = """    def may_cancel(self, goal):
         return CancelResponse.ACCEPT
 
 """
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {"MultiThreadedExecutor())": "MultiThreadedExecutor(2))"},
@@ -204,5 +250,4 @@ WRONG = [
         "Cancelled at 2.2 s: the goal was cancelled (5) at 3.5 s, not at 2.5 s",
         "Look before each number",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import partial
 
 from .. import judges as by
+from ..feedback import Finding
+from ..seen import Seen
 
 TITLE = "End without a traceback"
 TEXT = """
@@ -17,7 +19,7 @@ At Ctrl-C this node ends with a traceback, and its motor continues at the last s
 - `motor.drive(0.0)` stops the motor, however the node ends, and
 - an error, such as a sensor that fails, still ends the node with its traceback.
 """
-REVEALS = "Ctrl-C makes `rclpy.spin` return. What stands after `spin` is done in any case."
+REVEALS = "Ctrl-C makes `rclpy.spin` return. Code after `spin` always runs."
 
 NODE = """
 import time
@@ -71,7 +73,7 @@ HINTS = [
     "Code in `finally` always runs, even if the sensor fails. Catch no more than the two "
     "exceptions, and call `rclpy.try_shutdown()`: after a signal, `rclpy.shutdown()` fails.",
 ]
-_SWALLOWED = "Catch what a signal raises, and nothing else: an error is to end the node with its traceback."
+_SWALLOWED = "Catch what a signal raises, and nothing else: an error should end the node with its traceback."
 _drives_until_2 = partial(
     by.drives_until,
     again="Stop the motor last, when no callback can run any more: after `spin`, in a `finally`.",
@@ -79,14 +81,23 @@ _drives_until_2 = partial(
 )
 HINT = (
     "`try:` around `spin`, `except (KeyboardInterrupt, ExternalShutdownException): pass`, and in a `finally:` "
-    "what must be done in any case."
+    "what must always be done."
 )
+
+
+def _fails(seen: Seen, when: str) -> Finding:
+    """Whether an error has ended the node with a status other than 0."""
+    if seen.status:
+        return Finding(True, f"{when}: the node ended with status {seen.status}.")
+    went_on = "continued" if seen.interrupted else "ended with status 0, as if all were well"
+    return Finding(False, f"{when}: the node {went_on}.", _SWALLOWED)
+
 
 check = by.every(
     by.run(2.08, _drives_until_2(2.08), by.ends_well, when="Ctrl-C while the node waits"),
     by.run(2.03, _drives_until_2(2.03), by.ends_well, when="Ctrl-C while the sensor is read"),
     by.ending(5.08, _drives_until_2(2.08), by.ends_at_sigterm(2.08), when="SIGTERM", terminated_at=2.08),
-    by.ending(5.0, _drives_until_2(1.06), by.fails(_SWALLOWED), given="fails_at:=10", when="The sensor fails"),
+    by.ending(5.0, _drives_until_2(1.06), _fails, given="fails_at:=10", when="The sensor fails"),
 )
 
 SOLUTION = {
@@ -101,8 +112,7 @@ SOLUTION = {
 }
 AFTER = """
 A motor that is stopped by a message needs more: after a signal the node cannot publish, unless it was started with
-`rclpy.init(signal_handler_options=SignalHandlerOptions.NO)`. And a signal calls no hook of
-`rclpy.get_default_context().on_shutdown`.
+`rclpy.init(signal_handler_options=SignalHandlerOptions.NO)`.
 """
 
 CAUGHT = "    except (KeyboardInterrupt, ExternalShutdownException):\n        pass\n"
@@ -110,7 +120,6 @@ DRIVE_SPIN = "        rclpy.spin(driver_py_node)\n"
 STOPS = "        motor.drive(0.0)\n"
 DRIVE_END = f"    finally:\n{STOPS}        rclpy.try_shutdown()\n"
 DRIVES = "        self.motor.drive(speed)\n"
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {
@@ -187,7 +196,7 @@ WRONG = [
             "        except RuntimeError:\n            return\n"
         },
         "the motor was not stopped before 5 s",
-        "and nothing else: an error is",
+        "and nothing else: an error should",
     ),
     (
         {DRIVES: DRIVES + "        self.motor.drive(0.0)\n"},
@@ -204,5 +213,4 @@ WRONG = [
         "did not end at Ctrl-C",
         "",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -72,7 +72,7 @@ HINTS = [
 
 _WAITS = (
     "While a picture is looked at, nothing steers. With two threads, and a callback group of its own for "
-    "`picture_callback`, the others go on."
+    "`picture_callback`, the others continue."
 )
 _LOOK = "Leave what `picture_callback` does as it is: 0.3 s for a picture, and then the line."
 

@@ -74,7 +74,6 @@ rclpy.spin(node)
 """
 MAKES = "self.create_timer(0.1, self.timer_callback)"
 NOT_HZ = "the period is 1 / frequency"
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {SAYS: '        print(f"[SPINNER PY NODE]  counter={self.counter}")\n'},
@@ -114,5 +113,4 @@ WRONG = [
         "TypeError",
         "no argument",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from .. import judges as by
+from ..feedback import Finding
+from ..judging import plain
+from ..seen import Printed, Seen
 
 TITLE = "Make both ends match"
 TEXT = """
 **You need**: [publish and subscribe in ROS 2](../docs/ros2/publish.rst) and [its notebook](ros2-publish.md).
 
-The sensor of this node publishes a position every 0.5 s, but the controller hears none. Repair the controller, so
-that it prints each position as soon as it is published. Do not change the sensor.
+The sensor of this node publishes a position every 0.5 s, but the controller hears none. Repair the controller, not the
+sensor: each position should be printed as soon as it is published.
 """
 REVEALS = "The same topic and the same type are enough to connect."
 
@@ -26,7 +29,7 @@ class RobotPyNode(Node):
         super().__init__("robot_py_node")
         self.position = 0
 
-        # The sensor, which is to stay as it is
+        # The sensor, which should stay as it is
         self.publisher = self.create_publisher(UInt32, "position", qos_profile_sensor_data)
         self.create_timer(0.5, self.sensor_callback)
 
@@ -64,7 +67,33 @@ HINTS = [
 ]
 HINT = "The warnings name the policy that does not match. The subscription asks for more than the sensor offers."
 
-check = by.run(5.0, by.hears_all(0.5, "best_effort, volatile, depth 5"))
+
+def _hears_all(seen: Seen, when: str) -> Finding:
+    """Whether the controller hears each position immediately, one of which the sensor publishes each period.
+
+    The subscription has to be connected to it, and no other end may be left that is not.
+    """
+    due = by.grid(0.5, seen.seconds)
+    sent = [Printed(message.time, message.data) for message in seen.sent if message.topic == "/position"]
+    published = by.on_time(sent, due, "The sensor", by.AS_IT_IS, "position")
+    if not published.right:
+        return published
+    if wrong := by.sensor_of(seen, "best_effort, volatile, depth 5") or by.unmatched(seen):
+        return wrong
+    heard = seen.values("CONTROLLER", "position")
+    if any(line.timer for line in heard):
+        return by.called_itself("The controller")
+    if others := [line.text for line in heard if not line.heard]:
+        text = f"The controller: position {plain(others[0])} was not printed by the callback of its subscription."
+        return Finding(False, text, "The subscription calls its callback when a message has come. Leave that to it.")
+    if (many := len(seen.ends_of("/position", False))) > 1:
+        text = f"The controller: it has {many} subscriptions to `/position`, and hears each message {many} times."
+        return Finding(False, text, "Change the subscription that is there.")
+    as_it_comes = "The subscription's callback should print `[CONTROLLER] position = ` and the number in the message."
+    return by.on_time(heard, due, "The controller", as_it_comes, "position")
+
+
+check = by.run(5.0, _hears_all)
 
 SOLUTION = {"10": "qos_profile_sensor_data"}
 AFTER = """
@@ -77,7 +106,7 @@ FINALLY = "    finally:\n        rclpy.try_shutdown()\n"
 TRY = f"    try:\n{SPIN}{CAUGHT}{FINALLY}"
 HEARS = "self.position_callback, qos_profile_sensor_data)"
 RELIABLE = "The subscription asks for reliable messages"
-STAYS = "The sensor is to stay as it is"
+STAYS = "The sensor should stay as it is"
 IMPORTS_QOS = "from rclpy.qos import qos_profile_sensor_data"
 BEST = "QoSProfile(depth=10, reliability=ReliabilityPolicy.BEST_EFFORT)"
 IMPORTS_BEST = {IMPORTS_QOS: f"{IMPORTS_QOS}, QoSProfile, ReliabilityPolicy"}
@@ -156,7 +185,17 @@ WRONG = [
     (
         {'"position", self.position_callback': '"positions", self.position_callback'},
         "the controller: nothing subscribes to `/position`: it subscribes to `/",
-        "The topic of the subscription is that of the publisher, letter by lett",
+        "The subscription uses the publisher's topic, letter by letter",
+    ),
+    (
+        {HEARS: f'{HEARS}\n        self.create_subscription(UInt32, "position", {HEARS}'},
+        "The controller: it has 2 subscriptions to `/position`",
+        "Change the subscription that is there.",
+    ),
+    (
+        {HEARS: f"{HEARS}\n        self.position_callback(UInt32(data=0))"},
+        "The controller: position 0 was not printed by the callback of its subscription",
+        "Leave that to it.",
     ),
     ({"0.5, self.sensor": "1.0, self.sensor"}, "The sensor: position 1 came at 1 s, not at 0.5 s", STAYS),
     (
@@ -167,7 +206,7 @@ WRONG = [
     (
         {"str(message.data)": "str(message)"},
         "The controller: where position 1 was due",
-        "Let the callback of the subscription print `[CONTROLLER] position = `",
+        "The subscription's callback should print `[CONTROLLER] position = `",
     ),
     (
         {HEARS: "self.position_callback)"},

@@ -1,4 +1,4 @@
-"""To move a node is to rename what it imports: a belief that this reveals."""
+"""A node is moved by renaming what it imports: a belief that this reveals."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ TEXT = """
 Write this ROS 1 node for ROS 2: the same counters at the same times, and a parameter `frequency`, as in
 `--ros-args -p frequency:=10.0`. If you have never met ROS 1, skip this exercise.
 """
-REVEALS = "To move a node is to rename what it imports. A timer passes its callback an event in ROS 2, too."
+REVEALS = "A node is moved by renaming what it imports. A timer passes its callback an event in ROS 2, too."
 
 NODE = """
 import rospy
@@ -107,7 +107,6 @@ MADE
 rclpy.spin(node)
 """
 FREQUENCY = 'self.declare_parameter("frequency", 2.0).value'
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     PLAIN.replace("MADE", f"node.create_timer(1 / {FREQUENCY.replace('self', 'node')}, callback)"),
@@ -122,11 +121,10 @@ RIGHT = [
     },
 ]
 WRONG = [
-    ({"self.get_logger().info(": "self.get_logger.info("}, "no attribute 'info'", "to be called first, with `()`"),
+    ({"self.get_logger().info(": "self.get_logger.info("}, "no attribute 'info'", "be called first, with `()`"),
     ({"self.get_logger().info(": "rclpy.loginfo("}, "no attribute 'loginfo'", "In ROS 2 it is `self.get_logger()"),
     ({FREQUENCY: FREQUENCY.replace(".value", "")}, "and 'Parameter'", "which is its `.value`"),
     ({"SpinnerPyNode(Node):": "SpinnerPyNode:", '("spinner_py_node")': "()"}, "attribute '", "(Node)`?"),
-    (FOR_ROS_1, "This node is for ROS 1: it imports `rospy`", "where a node imports `rclpy`"),
     ("import rospy, rclpy\n", "imports both", "This exercise is on ROS 2"),
     ({"timer_callback(self)": "timer_callback(self, event)"}, "missing 1 required positional", "no argument"),
     ({FREQUENCY: "2.0"}, "With `frequency:=10.0`: counter 1 came at 0.5 s", "is called"),

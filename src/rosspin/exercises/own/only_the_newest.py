@@ -12,8 +12,7 @@ The sensor of this node publishes a position every 0.1 s. The controller compute
 takes, and soon steers by positions that are almost a second old. Change how the controller listens, so that it always
 takes the newest position. The computation still takes 0.33 s, and the sensor stays as it is.
 
-(The executor has several threads, and the sensor's timer a callback group of its own, so the callbacks do not wait
-for each other.)
+(The callbacks do not wait for each other: the executor has several threads, and the sensor's timer a group of its own.)
 """
 REVEALS = "A subscription always gets the newest message. It is the publisher's queue that has to be short."
 
@@ -73,7 +72,7 @@ SOLUTION = {"self.position_callback, 10)": "self.position_callback, 1)"}
 
 TAKES_ONE = "self.position_callback, 1)"
 QUEUE = "how many messages may wait there"
-STAYS = "The sensor is to stay as it is"
+STAYS = "The sensor should stay as it is"
 
 RIGHT = [
     {TAKES_ONE: "self.position_callback, qos_profile=1)"},
@@ -132,9 +131,9 @@ WRONG = [
     (
         {"(0.1, self.sensor": "(0.4, self.sensor"},
         "the sensor published 25 positions",
-        "The sensor is to stay as it is.",
+        "The sensor should stay as it is.",
     ),
-    ({", MultiThreadedExecutor())": ")"}, "the sensor published", "The sensor is to stay as it is."),
+    ({", MultiThreadedExecutor())": ")"}, "the sensor published", "The sensor should stay as it is."),
     ({"str(message.data)": "str(message)"}, "is not a position that", "A message is not yet its number:"),
     (
         {"time.sleep(0.33)": "time.sleep(0.6)"},
@@ -144,7 +143,7 @@ WRONG = [
     (
         {"        self.create_subscription": "        pass  # "},
         "the controller: nothing subscribes to `/position`.",
-        "The topic of the subscription is that of the publisher, letter by lett",
+        "The subscription uses the publisher's topic, letter by letter",
     ),
     (
         {TAKES_ONE: "self.position_callback(), 1)"},

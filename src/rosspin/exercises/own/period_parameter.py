@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from .. import judges as by
+from ..feedback import Finding
+from ..judging import plain, say, say_error
+from ..seen import Seen
 
 TITLE = "Take the period from a parameter"
 TEXT = """
@@ -60,14 +63,37 @@ HINTS = [
 _IN_SECONDS = 'The parameter is called "period". Is it what the timer is given, in seconds?'
 HINT = "`self.declare_parameter(name, default).value` is a parameter's value. Look at it before you make the timer."
 
+
+def _refuses(seen: Seen, when: str) -> Finding:
+    """Whether a node has refused a parameter in words, with a status other than 0 and without a traceback."""
+    look = "Look at the period before you make the timer: write an error line, and end with `sys.exit(1)`."
+    if counters := seen.counters():
+        often = f"{len(counters)} time{'s' if len(counters) > 1 else ''} in {say(seen.seconds)}"
+        if any(timer.is_endless for timer in seen.timers):
+            often = "without a pause"
+        text = f"{when}: the node ticked anyway, {often}."
+        return Finding(False, text, f"A timer takes a period of 0, and then calls back without a pause. {look}")
+    if seen.errors:
+        return Finding(False, f"{when}: the {say_error(seen.errors[-1])}", look)
+    if seen.interrupted:
+        return Finding(False, f"{when}: the node kept running without ticking.", look)
+    if not seen.status:
+        ends = "Whatever started the node learns from its status whether all is well: end it with `sys.exit(1)`."
+        return Finding(False, f"{when}: the node ended with status 0, as if all were well.", ends)
+    said = [line.text.strip() for line in seen.printed if "period" in line.text.lower()]
+    if not said:
+        return Finding(False, f"{when}: no line says that the period is wrong.", look)
+    return Finding(True, f"{when}: the node said `{plain(said[0])}`, and ended with status {seen.status}.")
+
+
 check = by.every(
     by.run(2.0, by.ticks(0.5), when="Without the parameter"),
     by.until_wrong(
         by.run(1.0, by.ticks(0.1, hint=_IN_SECONDS), by.declares("period"), given="period:=0.1"),
         by.run(5.0, by.ticks(2.0, hint=_IN_SECONDS), given="period:=2.0"),
         by.every(
-            by.ending(1.0, by.refuses("period"), given="period:=0.0"),
-            by.ending(1.0, by.refuses("period"), given="period:=-1.0"),
+            by.ending(1.0, _refuses, given="period:=0.0"),
+            by.ending(1.0, _refuses, given="period:=-1.0"),
         ),
     ),
 )
@@ -80,8 +106,7 @@ SOLUTION = {
     "            sys.exit(1)\n",
 }
 AFTER = """
-`not period > 0` also refuses a period that is not a number, `.nan`. rclpy itself refuses anything that is not a float:
-`-p period:=fast`, and even `-p period:=2`, raise an `InvalidParameterTypeException`.
+rclpy itself refuses anything that is not a float: even `-p period:=2` raises an `InvalidParameterTypeException`.
 """
 
 PLAIN = """import sys
@@ -102,7 +127,6 @@ REFUSES = (
     '            self.get_logger().error("the period has to be above 0 s, not " + str(period))\n'
     "            sys.exit(1)\n"
 )
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {PERIOD: '        self.declare_parameter("period", 0.5)\n        period = self.get_parameter("period").value\n'},
@@ -208,5 +232,4 @@ WRONG = [
         "Started with `--ros-args -p period:=0.1`",
         "keeps the type with which it was declared",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -56,9 +56,8 @@ HINTS = [
     "messages may wait: 10.",
     "A number is not a message: `UInt32(data=self.counter)` is. And a new publisher is not "
     "connected to another process yet.",
-    "Five times a second: what is the period?",
 ]
-HINT = 'Make a `self.create_publisher(UInt32, "counter", 10)` in `__init__`, and let the callback publish.'
+HINT = 'Make a `self.create_publisher(UInt32, "counter", 10)` in `__init__`, and publish in the callback.'
 
 check = by.published_and_heard
 
@@ -81,7 +80,6 @@ IN_EACH_CALL = {  # a publisher is made for each message
     PUBLISHES: f"{MAKES_PUBLISHER}{PUBLISHES}",
 }
 MADE_ONCE = "Make it once, before the timer"
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {
@@ -133,16 +131,29 @@ WRONG = [
         "on `/counter`: the node published nothing",
         "There is a publisher, but nothing publishes with it.",
     ),
+    (
+        {
+            MAKES_PUBLISHER: MAKES_PUBLISHER.replace("10)", "qos_profile_sensor_data)"),
+            "import rclpy\n": "import rclpy\nfrom rclpy.qos import qos_profile_sensor_data\n",
+        },
+        "The listener: no counter was printed",
+        "The publisher offers less than the listener asks for",
+    ),
+    (
+        {"[LISTENER] counter": "[LISTENER] number"},
+        "The listener: no counter was printed",
+        "Leave the listener as it is",
+    ),
     ({MAKES_PUBLISHER: ""}, "has no attribute 'publisher'", "with its `self.`"),
     (
         {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"count"')},
         "it was published on `/count`",
-        "The topic of a publisher is that of the listener, letter by letter:",
+        "The publisher uses the listener's topic, letter by letter:",
     ),
     (
         {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"~/counter"')},
         "it was published on `/robot_py_node/counter`",
-        "The topic of a publisher is that of the listener, letter by letter:",
+        "The publisher uses the listener's topic, letter by letter:",
     ),
     ({"(0.2,": "(5,"}, "nothing was published on `/counter`", "Five times a second is once in 1 / 5 s."),
     (
@@ -176,5 +187,4 @@ WRONG = [
         "The listener: no counter",
         "Nothing subscribes to `/counter` any more.",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

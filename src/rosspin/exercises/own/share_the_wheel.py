@@ -73,7 +73,7 @@ _YIELD = (
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether the joystick stops the vehicle while it is pressed, and the node says who that was."""
     seen = answer.run(8.0, beside=["vehicle", "joystick"])
-    before = follows(seen, "Steer as before while nobody else does.", 0.0, _PRESSED)
+    before = follows(seen, "Steer as before while no other node does.", 0.0, _PRESSED)
     yield before
     if not before.right:
         return
@@ -83,7 +83,7 @@ def check(answer: Answer) -> Iterator[Finding]:
         yield Finding(False, f"at {say(ours[-1])}, with the joystick pressed, the node still sent commands.", _YIELD)
         return
     if not [command for command in commands(seen, _RELEASED + 0.01, _RELEASED + 1.0) if command.speed]:
-        hint = "Look at each tick who publishes, and steer as soon as nobody else does."
+        hint = "Look at each tick who publishes, and steer as soon as no other node does."
         yield Finding(False, f"the joystick was gone at {say(_RELEASED)}, but the node did not drive again.", hint)
         return
     yield Finding(True, "while the joystick is pressed the node sends nothing, and then drives again.")

@@ -1,10 +1,10 @@
-"""A service runs beside the other callbacks of its node: a belief that this reveals."""
+"""A service runs at the same time as other callbacks of its node: a belief that this reveals."""
 
 from __future__ import annotations
 
 from .. import judges as by
 
-TITLE = "Keep a timer on time beside a slow service"
+TITLE = "Keep a timer on time"
 TEXT = """
 **You need**: [services and actions](ros2-services.md), and
 [which executor and which groups](ros2-executors.md) there are.
@@ -13,9 +13,9 @@ The motor of this robot needs a command every 0.1 s. But the robot also offers a
 needs 0.35 s, or in the dark 1.3 s. Change the node so that
 
 - the motor gets each command on time, however long a picture takes, and
-- each request is answered, one picture after the other: the camera cannot take two at the same time.
+- each request is answered, one picture after the other.
 """
-REVEALS = "A service runs beside the other callbacks of its node. Only who asks has to wait for a slow service."
+REVEALS = "A service runs at the same time as other callbacks of its node. Only the client waits for a slow service."
 
 NODE = """
 import time
@@ -99,7 +99,7 @@ check = by.until_wrong(
                 "/take_picture",
                 takes,
                 least=least,
-                hint="Each request is to be answered, in its turn.",
+                hint="Each request should be answered, in its turn.",
                 overlap=_ONE_BY_ONE,
             ),
             given=f"takes:={takes}",
@@ -129,7 +129,6 @@ SLOW_GROUP = f",\n            callback_group={MUTUAL_TIMER})"
 SLOW_SERVICE = f"""self.create_service(
             Trigger, "take_picture", self.picture_callback{SLOW_GROUP}"""
 SPIN_SLOW = "        rclpy.spin(robot_py_node, MultiThreadedExecutor())\n"
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {"MultiThreadedExecutor()": "MultiThreadedExecutor(2)"},
@@ -186,5 +185,4 @@ WRONG = [
         "counter 11 came at 1.35 s",
         "a single-threaded executor",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

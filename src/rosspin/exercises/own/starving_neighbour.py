@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
+from itertools import pairwise
+
 from .. import judges as by
+from ..feedback import Finding
+from ..judging import plain, say
+from ..seen import Seen
 
 TITLE = "Free a starving neighbour"
 TEXT = """
@@ -12,8 +18,7 @@ This node takes an image every second, which needs 0.6 s, and sends the motor a 
 gets no commands while an image is being taken. Repair the node so that
 
 - the motor gets its command every 0.1 s, whatever the camera does, and
-- the camera takes images as before: every second or, if an image takes longer, one after the other, but never two at
-  the same time.
+- the camera takes images as before, one after the other.
 """
 REVEALS = (
     "Timers of one node do not disturb each other. A MultiThreadedExecutor alone lets callbacks run at the same time."
@@ -77,10 +82,46 @@ _STARVED = (
 _COMMANDED = by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(_STARVED))
 HINT = "It takes two things: a `MultiThreadedExecutor`, and a callback group of its own for each timer."
 
+
+def _one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
+    """Whether the camera takes its images one after the other, each in its time, as often as that allows."""
+    begun = [line for line in seen.values("CAMERA", "image") if line.time <= seen.seconds]
+    done = seen.values("CAMERA", "done")
+    what = f"{when}, the camera"
+    least = 5 if takes < 1 else 3
+    if len(begun) < least:
+        text = f"{what} took {len(begun)} images in {say(seen.seconds)}; it can take {least}."
+        return Finding(False, text, "The camera has to work as before: every second, or as often as its work allows.")
+    for image, later in pairwise(begun):
+        if not any(image.time <= line.time <= later.time for line in done):
+            text = f"{what} began image {later.text} at {say(later.time)}, while it still took image {image.text}."
+            reentrant = (
+                "In a `ReentrantCallbackGroup` calls of one timer may overlap; in the other kind they may not. And a "
+                "callback that returns too soon is called again."
+            )
+            return Finding(False, text, reentrant)
+    for number, image in enumerate(begun, 1):
+        end = next((line for line in done if line.text == image.text), None)
+        if image.text != str(number):
+            return Finding(False, f"{what}: where image {number} was due, image {plain(image.text)} began.")
+        if image.time + takes > seen.seconds:
+            continue
+        if end is None or abs(end.time - image.time - takes) > by.CLOSE:
+            after = f"done after {say(end.time - image.time)}" if end else "never done"
+            text = f"{what}: image {number} was {after}, not after {say(takes)}."
+            return Finding(False, text, "Leave the time that an image takes as it is.")
+    if takes < 1 and (late := [line for n, line in enumerate(begun, 1) if abs(line.time - n) > by.CLOSE]):
+        text = f"{what} began image {late[0].text} at {say(late[0].time)}, not at {say(float(late[0].text))}."
+        return Finding(False, text, "The camera has to work as before: every second.")
+    return Finding(True, f"{what} took {len(begun)} images, one after the other.")
+
+
+_QUICK = partial(_one_image_at_a_time, takes=0.6)
+
 check = by.until_wrong(
-    by.run(5.0, _COMMANDED, by.one_image_at_a_time(0.6), given="takes:=0.6"),
-    by.run(5.0, _COMMANDED, by.one_image_at_a_time(1.3), given="takes:=1.3"),
-    by.shaken(2, 5.0, _COMMANDED, by.one_image_at_a_time(0.6), given="takes:=0.6"),
+    by.run(5.0, _COMMANDED, _QUICK, given="takes:=0.6"),
+    by.run(5.0, _COMMANDED, partial(_one_image_at_a_time, takes=1.3), given="takes:=1.3"),
+    by.shaken(2, 5.0, _COMMANDED, _QUICK, given="takes:=0.6"),
 )
 
 SOLUTION = {
@@ -112,7 +153,6 @@ WORK = """    def camera_callback(self):
         time.sleep(self.takes)
         self.get_logger().info("[CAMERA] done = " + str(self.images))
 """
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {MOTOR: "self.create_timer(0.1, self.motor_callback)"},
@@ -208,6 +248,11 @@ WRONG = [
         "the time that an image takes",
     ),
     ({"create_timer(1.0": "create_timer(2.0"}, "the camera took 2 images in 5 s; it can take 5", "as before"),
+    (
+        {MOTOR: f"{MOTOR}\n        {MOTOR}"},
+        "the motor: counter 2 came at 0.1 s, not at 0.2 s",
+        "They come two at a time",
+    ),
     ({"create_timer(0.1": "create_timer(0.2"}, "the motor: counter 1 came at 0.2 s", "They come every 0.2 s:"),
     ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "the motor: counter 1", "single-threaded"),
     (
@@ -223,5 +268,4 @@ WRONG = [
         "image 1 was done after 0 s",
         "the time that an image takes",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -71,7 +71,7 @@ _LATE = (
 
 
 def check(answer: Answer) -> Iterator[Finding]:
-    """Whether the vehicle is driven until Ctrl-C, and stands from then on."""
+    """Whether the vehicle is driven until Ctrl-C, and stops then."""
     seen = answer.run(8.0, beside=["vehicle"], interrupted_at=_AT)
     driven = follows(seen, "Until Ctrl-C, steer as before.", 0.0, _AT)
     yield driven
@@ -79,7 +79,7 @@ def check(answer: Answer) -> Iterator[Finding]:
         return
     if not seen.interrupted:
         yield Finding(
-            False, f"the node had ended before Ctrl-C came, at {say(_AT)}.", "It drives until somebody ends it."
+            False, f"the node had ended before Ctrl-C came, at {say(_AT)}.", "It drives until Ctrl-C ends it."
         )
         return
     is_late = any("context is invalid" in error.said or "publisher" in error.said.lower() for error in seen.errors)

@@ -72,7 +72,7 @@ _MUTE = "To send nothing is not to stop: its wheels stay as they were told last.
 
 
 def check(answer: Answer) -> Iterator[Finding]:
-    """Whether it stops half a second after the last message, not earlier, and goes on with the next one."""
+    """Whether it stops half a second after the last message, not earlier, and drives on with the next one."""
     seen = answer.run(8.0, beside=["silent vehicle"])
     before = follows(seen, "Steer as before while messages come.", 0.0, _FROM)
     yield before
@@ -88,7 +88,7 @@ def check(answer: Answer) -> Iterator[Finding]:
     if stopped and due + 0.11 < stopped[0] < _TO:
         late = say(stopped[0] - _FROM + 0.05)
         text = f"the vehicle was stopped at {say(stopped[0])}, {late} after the last message."
-        yield Finding(False, text, "It is to be stopped when nothing has come for 0.5 s.")
+        yield Finding(False, text, "It should be stopped when nothing has come for 0.5 s.")
         return
     is_mute = not commands(seen, due + 0.11, _TO)
     yield stands(seen, due + 0.11, _TO, _MUTE if is_mute else _STOP)

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from .. import judges as by
+from collections.abc import Iterator
 
-TITLE = "Wake a Rate that sleeps for ever"
+from .. import judges as by
+from ..feedback import Finding
+from ..judging import Answer
+
+TITLE = "Wake a sleeping Rate"
 TEXT = """
 **You need**: [the Rate node in ROS 2](ros2-rate.md), and what
 [How timing works in ROS 2](../docs/ros2/how-timing-works.rst) says of a Rate.
@@ -12,8 +16,7 @@ TEXT = """
 This loop should make a pass every 0.5 s, but makes only the first. Repair the node so that
 
 - a pass begins every 0.5 s, whether its work takes 0.1 s or longer, and
-- the node ends immediately, with status 0 and without a traceback, at Ctrl-C and at SIGTERM, the signal with which a
-  service manager ends a program.
+- the node ends immediately, with status 0 and without a traceback, at Ctrl-C and at SIGTERM.
 """
 REVEALS = "A Rate needs no thread that spins. Ctrl-C wakes every thread that sleeps."
 
@@ -59,7 +62,36 @@ HINTS = [
 ]
 HINT = "A Rate is a timer that wakes the thread in `sleep()`: while one thread sleeps, another has to spin."
 
-check = by.makes_passes_until_signalled
+
+def check(answer: Answer) -> Iterator[Finding]:
+    """Whether a loop of 2 Hz makes its passes, and the node ends well by either signal."""
+    endings = []
+    for work, seconds in ((0.1, 3.3), (0.4, 3.05)):
+        when = f"With `work:={work}`"
+        seen = answer.run(seconds, f"work:={work}", has_to_end=False)
+        counters = seen.counters()
+        hint = ""
+        if len(counters) == 1 and seen.interrupted:
+            hint = "The first `sleep()` never returned. A Rate is a timer: who calls it back while the loop sleeps?"
+        elif len(counters) > 1 and abs(counters[1].time - 0.5 - work) < by.CLOSE:
+            hint = "The work is a part of the period: shorten the pause by the time that the work takes."
+        elif counters and counters[0].time > by.CLOSE:
+            hint = "The first pass begins immediately: the loop sleeps at its end, and a timer would wait for a period."
+        elif len(counters) > 1 and work > 0.1 and abs(counters[1].time - 0.4 - work) < by.CLOSE:
+            hint = "The pause is the same whatever the work takes. Make it as long as what is left of the period."
+        elif len(counters) > 1 and abs(counters[1].time - 0.5) > 0.05:
+            hint = "A Rate is given a frequency. Passes every 0.5 s are 2.0 a second."
+        finding = by.on_time(counters, by.grid(0.5, seconds, start=0.0), when, hint)
+        yield finding
+        endings.append(by.ends_well(seen, f"{when}, Ctrl-C"))
+        if not finding.right or seen.killed:
+            yield from endings
+            return
+    # SIGTERM first: if the loop is in the main part, catching exceptions there does not help.
+    yield from by.ending(6.3, by.ends_at_sigterm(3.3), when="SIGTERM", terminated_at=3.3)(answer)
+    yield from endings
+    yield from by.shaken(2, 3.3, by.ticks(0.5, start=0.0))(answer)
+
 
 SOLUTION = {
     "import time\n": "import threading\nimport time\n",
@@ -72,8 +104,8 @@ SOLUTION = {
     "        pass\n",
 }
 AFTER = """
-Often you see it the other way round: the loop in the main function, and a thread that spins. Such a node ticks just as
-well, but SIGTERM does not end it, and what Ctrl-C does is left to chance.
+You often see the loop in the main function, and a thread that spins. SIGTERM does not end such a node, and what Ctrl-C
+does is left to chance.
 """
 
 SPIN = "        rclpy.spin(spinner_py_node)\n"
@@ -100,7 +132,6 @@ IN_MAIN = {
     threading.Thread(target=spin, daemon=True).start()
 """,
 }
-FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 RIGHT = [
     {SPIN_CAUGHT: f"    try:\n{SPIN}{CAUGHT}    finally:\n        rclpy.try_shutdown()\n"},
@@ -125,7 +156,7 @@ RIGHT = [
 """,
         "import rclpy\n": "import rclpy\nimport rclpy.duration\n",
     },
-    # The loop itself lets the timer of its Rate be called.
+    # The loop itself calls the timer of its Rate.
     {SLEEPS: "            rclpy.spin_once(self)\n" + SLEEPS, THREAD: "", SPIN: "        spinner_py_node.loop()\n"},
     # A timer, whose first call is made by hand.
     {
@@ -168,9 +199,9 @@ WRONG = [
     (
         {THREAD: SPINNING_THREAD, SPIN: "        spinner_py_node.loop()\n"},
         "Ctrl-C: the thread stopped with `rclpy.executors.ExternalShutdownException`",
-        "Let the main part spin",
+        "The main part should spin",
     ),
-    (IN_MAIN, "SIGTERM at 3.3 s: the node did not end", "Let the main part spin"),
+    (IN_MAIN, "SIGTERM at 3.3 s: the node did not end", "The main part should spin"),
     (
         {SPIN_CAUGHT: "    rclpy.spin(spinner_py_node)\n"},
         "Ctrl-C: the node stopped in line 28: `KeyboardInterrupt`",
@@ -235,5 +266,4 @@ WRONG = [
         "no counter was printed",
         "wakes the thread in `sleep()`",
     ),
-    (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

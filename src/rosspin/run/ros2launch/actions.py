@@ -80,7 +80,7 @@ class Action:
         self.place = f"{frame.f_code.co_filename}:{frame.f_lineno}"
 
     def visit(self, context: LaunchContext) -> Iterable[Any] | None:
-        """Do it if its condition holds, and return what is to be done next."""
+        """Do it if its condition holds, and return what should be done next."""
         if self.condition is None or self.condition.evaluate(context):
             return self.execute(context)
         return None
@@ -319,7 +319,7 @@ class Shutdown(Action):
 
 
 class Refused(Action, Substitution):
-    """Something that is not simulated, which matters as soon as it is to be done."""
+    """Something that is not simulated, which matters as soon as it should be done."""
 
     name = ""
     is_cpp = False  # whether it runs nodes in C++

@@ -40,7 +40,7 @@ class Shutdown(Event):
 class TimerEvent(Event):
     _: KW_ONLY
     timer_action: Any
-    locals: dict[str, Any] = field(default_factory=dict)  # those of the moment at which the timer was started
+    locals: dict[str, Any] = field(default_factory=dict)  # of the moment at which the timer was started
 
 
 @dataclass(eq=False)
@@ -81,7 +81,7 @@ def matches_action(target_action: Any) -> Callable[[Any], bool]:
 
 @dataclass(eq=False)
 class EventHandler:
-    """What is to be done at an event that ``matcher`` accepts: actions, or a function that returns some."""
+    """What should be done at an event that ``matcher`` accepts: actions, or a function that returns some."""
 
     _: KW_ONLY
     matcher: Callable[[Any], bool]
@@ -92,7 +92,7 @@ class EventHandler:
         return self.matcher(event)
 
     def handle(self, event: Any, context: LaunchContext) -> Iterable[Any]:
-        """Return what is to be done next."""
+        """Return what should be done next."""
         context.known.update({"event": event})
         if self.handle_once:
             context.event_handlers.remove(self)

@@ -1,4 +1,4 @@
-"""Which launch file of ROS 2 is to run, and how."""
+"""Which launch file of ROS 2 should run, and how."""
 
 from __future__ import annotations
 

@@ -104,7 +104,7 @@ def words_for(context: LaunchContext, parameters: Sequence[Any], node: str) -> I
 
 
 def _path(context: LaunchContext, file: ParameterFile) -> str:
-    """Return the path of a file; if substitutions are made in it, that of a copy."""
+    """Return the path of a file; if substitutions are made in it, the path of a copy."""
     path = os.fspath(file.param_file) if isinstance(file.param_file, os.PathLike) else perform(context, file.param_file)
     if perform_typed(context, file.allow_substs, bool):
         with open(path, encoding="utf-8") as opened:

@@ -83,7 +83,7 @@ class ExecuteLocal:
             stream.stream if name in self._shown else nowhere() for name, stream in zip(("stdout", "stderr"), streams)
         )
         process = self._process = self._host.add(self._code, self._args, self._environment, self._folder, out, err)
-        # ``add`` only adds to this process's own; what the launch file has unset is to be missing, too.
+        # ``add`` only adds to this process's own; what the launch file has unset should be missing, too.
         process.environment = {os.fsencode(key): os.fsencode(value) for key, value in self._environment.items()}
         process.world.at_end.append(lambda: self._service.soon(lambda: self._exit(streams)))
         self._host.begin(process)
@@ -95,7 +95,7 @@ class ExecuteLocal:
         return [self._code.argv0, *self._args]
 
     def _exit(self, streams: Sequence[Lines]) -> None:
-        """Say how it has ended, and start it again if it is to be."""
+        """Say how it has ended, and start it again if it should be."""
         assert self._process
         unlist_threads(self._process.world)
         code = _exit_code(self._process)

@@ -39,7 +39,7 @@ __all__ = ["LaunchService", "Timer"]
 
 @dataclass(eq=False)
 class Timer:
-    """A function, and the time (ns) at which it is to be called, unless :meth:`cancel` is called before."""
+    """A function, and the time (ns) at which it should be called, unless :meth:`cancel` is called before."""
 
     when: int
     function: Callable[[], None]
@@ -100,7 +100,7 @@ class LaunchService:
         self._visit(include)
 
     def _step(self) -> bool:
-        """Do what is first of all that is to be done now; False if nothing is."""
+        """Do what is first of all that should be done now; False if nothing is."""
         with self._host.outside(), within(self._modules), _told_with(f"{self._file.path}:1"):
             if self._soon:
                 self._soon.popleft()()
@@ -269,7 +269,7 @@ def _told_with(place: str) -> Iterator[None]:
     except Fault:
         raise
     except Exception as error:
-        if isinstance(error, SyntaxError) and error.filename != "<string>":  # not that of an expression
+        if isinstance(error, SyntaxError) and error.filename != "<string>":  # not in an expression
             raise
         raise Fault(_say(error, place)) from error
 

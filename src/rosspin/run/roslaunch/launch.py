@@ -33,8 +33,8 @@ class Node:
     parameters are written as for ``rosrun``: ``"chatter:=talk"``, ``"_rate:=10"``. ``name`` replaces the name that the
     node gives itself, and ``namespace`` is the one that it starts in. If a ``required`` node ends, all nodes end; a
     node with ``respawn`` is started again ``respawn_delay`` seconds after its end. ``output`` is "screen", or "log" to
-    keep what the node prints on stdout off the console. ``cwd`` is the folder that it starts in (default: that of this
-    process), and ``env`` is added to its environment. ``parameters`` are set before it runs: in ROS 1 private ones by
+    keep what the node prints on stdout off the console. ``cwd`` is the folder that it starts in (default: this
+    process's), and ``env`` is added to its environment. ``parameters`` are set before it runs: in ROS 1 private ones by
     names such as ``"~rate"``, in ROS 2 those that it declares.
     """
 
@@ -351,7 +351,7 @@ class _Reader:
         return folder
 
     def _find_node(self, package: str, kind: str) -> Path | None:
-        """Return the file of a node; None if it is to be left out."""
+        """Return the file of a node; None if it should be left out."""
         folder = self._library.package(package)
         if folder is None:
             if self._skip_cpp:

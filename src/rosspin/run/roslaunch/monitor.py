@@ -1,6 +1,6 @@
 """Start the nodes of one simulated run, watch over them, restart them and end them, as roslaunch does.
 
-The rules are those of roslaunch's pmon.py and nodeprocess.py, for a master that is running before roslaunch starts.
+The rules are from roslaunch's pmon.py and nodeprocess.py, for a master that is running before roslaunch starts.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class _Member:
         self.name = f"{node.namespace.strip('/')}/{node.name or code.name}-{number}".removeprefix("/")
         self.args = [*node.args, *([f"__name:={node.name}"] if node.name else [])]
         self.process: Process  # the one that is running, or was
-        self.respawns_at: int | None = None  # when (ns) it is to be started again
+        self.respawns_at: int | None = None  # when (ns) it should be started again
 
     @property
     def world(self) -> World:

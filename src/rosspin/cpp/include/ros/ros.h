@@ -366,20 +366,32 @@ typedef detail::TimerOptionsOf<WallDuration, SteadyTimerCallback> SteadyTimerOpt
 #define ROSSPIN_NOT_SIMULATED(name)                                                                                    \
   __attribute__((unavailable(name " is not simulated; run this node on a real ROS")))
 
+namespace detail
+{
+struct Spinning;
+}
+
+// Its threads call what comes while the main thread waits. A callback that would keep another thread waiting ends the run.
 class AsyncSpinner
 {
 public:
-  explicit AsyncSpinner(std::uint32_t, CallbackQueue* = nullptr) { rosspin::not_simulated("ros::AsyncSpinner"); }
-  bool canStart() { return false; }
-  void start() {}
-  void stop() {}
+  explicit AsyncSpinner(std::uint32_t threads, CallbackQueue* queue = nullptr);
+  bool canStart();
+  void start();
+  void stop();
+
+private:
+  boost::shared_ptr<detail::Spinning> spinning_;
 };
 
 class MultiThreadedSpinner : public Spinner
 {
 public:
-  explicit MultiThreadedSpinner(std::uint32_t = 0) { rosspin::not_simulated("ros::MultiThreadedSpinner"); }
-  void spin(CallbackQueue* = nullptr) override {}
+  explicit MultiThreadedSpinner(std::uint32_t threads = 0) : threads_(threads) {}
+  void spin(CallbackQueue* queue = nullptr) override;
+
+private:
+  std::uint32_t threads_;
 };
 }  // namespace ros
 

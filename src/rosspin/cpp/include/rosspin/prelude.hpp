@@ -32,3 +32,8 @@
 #include <vector>
 #include <unistd.h>
 
+
+// As glibc names them.
+typedef unsigned int uint;
+typedef unsigned long ulong;
+typedef unsigned short ushort;

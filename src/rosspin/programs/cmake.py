@@ -64,7 +64,7 @@ def _all(target: _Target, targets: Mapping[str, _Target], seen: set[str]) -> Ite
 
 
 def _read(package: Path) -> tuple[dict[str, _Target], dict[str, tuple[str, str]]]:
-    """Return the targets of a package by their names, and its components by those of their programs."""
+    """Return the targets of a package by their names, and its components by their programs' names."""
     file = package / "CMakeLists.txt"
     text = re.sub(r"#.*", "", _text(file)) if file.is_file() else ""
     variables: dict[str, list[str]] = {}

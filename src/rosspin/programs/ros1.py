@@ -1,7 +1,7 @@
 """What a C++ node of ROS 1 asks its host: it has a name, topics and parameters among the nodes in Python.
 
-roscpp's own queues, timers and names are in the program (``runtime/roscpp.cpp``). What is shared is that of the
-stand-in for rospy: both find each other on one graph, connect by the same rules, and have one parameter server.
+roscpp's own queues, timers and names are in the program (``runtime/roscpp.cpp``). What is shared is rospy's
+stand-in: both find each other on one graph, connect by the same rules, and have one parameter server.
 """
 
 from __future__ import annotations

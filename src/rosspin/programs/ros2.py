@@ -1,7 +1,7 @@
 """What a C++ node of ROS 2 asks its host: its nodes have topics and services among those in Python.
 
-rclcpp's executors, timers, parameters and loggers are in the program (``runtime/rclcpp.cpp``). What is shared is that
-of the stand-in for rclpy: both find each other on one graph by the same rules, and read a command line alike.
+rclcpp's executors, timers, parameters and loggers are in the program (``runtime/rclcpp.cpp``). What is shared is
+rclpy's stand-in: both find each other on one graph by the same rules, and read a command line alike.
 """
 
 from __future__ import annotations

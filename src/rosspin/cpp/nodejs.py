@@ -1,0 +1,123 @@
+"""Where a compiled node runs on a computer: in Node.js, with which its host talks over pipes (see ``js/run.mjs``)."""
+
+from __future__ import annotations
+
+import atexit
+import json
+import os
+import select
+import subprocess
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from ..clocks.frames import Place
+from ..clocks.programs import end_run
+from ..clocks.simulation import Simulation
+from ..programs import Batch, Program
+from ..world.world import World
+from .building import Built, node_command
+
+__all__ = ["program"]
+
+_RUN = Path(__file__).parent / "js" / "run.mjs"
+
+_CHUNK = 1 << 16  # bytes that are read at once
+
+# How often (s) a node is looked at while it computes, and after how much time of a processor (s) it will not end.
+_LOOK = 0.2
+_MOST = 10.0
+
+
+def program(built: Built, path: str) -> Program:
+    """Return what runs a compiled node, whose source is ``path``, when it is called."""
+    return Program(built.ros, path, partial(_Child, built, path))
+
+
+class _Child:
+    """A process of Node.js."""
+
+    def __init__(self, built: Built, path: str, world: World, clock: Simulation) -> None:
+        self._path = path
+        self._world = world
+        self._clock = clock
+        self._first: Mapping[str, Any] = {"program": str(built.program)}  # what is told with the first message
+        self._data = bytearray()  # that was read, and not used yet
+        self._child = _begin()
+
+    def go_on(self, message: Mapping[str, Any]) -> Iterator[Batch]:
+        assert self._child.stdin
+        try:
+            self._child.stdin.write(json.dumps({**self._first, **message}).encode() + b"\n")
+        except BrokenPipeError:
+            pass  # what it has to say of its end is still to be read
+        self._first = {}
+        batch: Batch = {}
+        while batch.keys().isdisjoint(("asks", "wake", "status")):
+            batch = json.loads(self._read(lambda data: data.find(b"\n", max(len(data) - _CHUNK, 0)) + 1))
+            if "ticks" in batch:
+                length = batch["ticks"]
+                batch["ticks"] = self._read(lambda data: length)
+            yield batch
+
+    def end(self, by_itself: bool) -> None:
+        if by_itself:
+            _idle.append(self._child)
+        else:
+            _end(self._child)
+
+    def _read(self, find_end: Callable[[bytearray], int]) -> bytes:
+        """Take what the node has written up to ``find_end(data)``: 0, or more than there is, until that has come."""
+        assert self._child.stdout
+        file = self._child.stdout.fileno()
+        used = self._used()
+        while not 0 < (end := find_end(self._data)) <= len(self._data):
+            ready, _, _ = select.select([file], [], [], _LOOK)
+            self._clock.beside += 1
+            if ready:
+                data = os.read(file, _CHUNK)
+                if not data:
+                    status = self._child.wait()
+                    self._world.failure = RuntimeError(f"{self._path}: Node.js has ended, status {status}")
+                    end_run()
+                self._data += data
+            elif self._used() - used > _MOST:
+                self._child.kill()
+                self._clock.stand_still(Place(self._path, 0))
+        taken = bytes(self._data[:end])
+        del self._data[:end]
+        return taken
+
+    def _used(self) -> float:
+        """For how long (s) the node has had a processor."""
+        try:
+            with open(f"/proc/{self._child.pid}/stat") as file:
+                fields = file.read().rpartition(")")[2].split()
+        except OSError:
+            return 0.0
+        return sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK")
+
+
+# Processes of Node.js whose nodes have ended: to start another takes longer than most runs.
+_idle: list[subprocess.Popen[bytes]] = []
+os.register_at_fork(after_in_child=_idle.clear)
+
+
+def _begin() -> subprocess.Popen[bytes]:
+    while _idle:
+        if (child := _idle.pop()).poll() is None:
+            return child
+    command = [*node_command(), str(_RUN)]
+    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, cwd=_RUN.parent)
+
+
+def _end(child: subprocess.Popen[bytes]) -> None:
+    with child:
+        child.kill()
+
+
+@atexit.register
+def _end_idle() -> None:
+    while _idle:
+        _end(_idle.pop())

@@ -1,0 +1,71 @@
+"""A timer is given a frequency: a belief that this reveals."""
+
+from __future__ import annotations
+
+from .. import judges as by
+from ..odd_nodes import CAUGHT, LAMBDA, PLAIN, SLEEPS_FIRST, THREAD, at
+
+TITLE = "Change the rate"
+TEXT = """
+**You need**: [the timer node](timer.md).
+
+Make this timer node count ten times a second.
+"""
+REVEALS = "A timer is given a frequency."
+
+NODE = """
+import rospy
+
+
+class SpinnerPyNode:
+    def __init__(self):
+        self.counter = 0
+        timer_delta_t_in_seconds = 0.5
+        rospy.Timer(
+            rospy.Duration(timer_delta_t_in_seconds), self.timerCallback)
+
+    def timerCallback(self, event):
+        self.counter += 1
+        rospy.loginfo("[SPINNER PY NODE] counter = " + str(self.counter))
+
+
+if __name__ == '__main__':
+    rospy.init_node("spinner_py_node")
+    spinner_py_node = SpinnerPyNode()
+    rospy.spin()
+"""
+
+HINTS = [
+    "Which line says how often the callback is called?",
+    "A timer is given a period, in seconds. What is the period of 10 Hz?",
+    "The period is 1 / frequency.",
+]
+HINT = "A timer takes a period in seconds, not a frequency: the period is 1 / frequency."
+
+check = by.run(1.0, by.ticks(0.1))
+
+SOLUTION = {"0.5": "0.1"}
+
+NOT_A_FREQUENCY = "the period is 1 / frequency"
+
+RIGHT = [
+    {"= 0.1": "= 1 / 10"},
+    {"rospy.Duration(timer_delta_t_in_seconds)": "rospy.Duration(0, 100000000)"},
+    *at("0.1", PLAIN, LAMBDA, CAUGHT, SLEEPS_FIRST, THREAD),
+]
+WRONG = [
+    ({"= 0.1": "= 10"}, "no counter was printed", NOT_A_FREQUENCY),
+    ({"= 0.1": "= 0.01"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_A_FREQUENCY),
+    ({"= 0.1": "= 1"}, "counter 1 came at 1 s, not at 0.1 s", NOT_A_FREQUENCY),
+    ({"= 0.1": "= 1 // 10"}, "timer stopped with `ZeroDivisionError: division by zero`", "a period of 0 s"),
+    ({"rospy.Duration(timer_delta_t_in_seconds)": "0.1"}, "has no attribute 'to_sec'", "is a Duration"),
+    ({"+= 1": "+= 10"}, "where counter 1 was due, counter 10 came", "The counter goes up by 10 each time:"),
+    ({"= 0.1": "= -0.1"}, "simulated time stands still", "runs without ever sleeping"),
+    ({"    rospy.spin()": ""}, "counter 2, due at 0.2 s, did not come", "The node ended by itself"),
+    ({"+ str(self.counter))": "+ str(self.counter)); self.timerCallback(event)"}, "RecursionError", "period"),
+    (
+        {"self.timerCallback)": "self.timerCallback, rate=10)"},
+        "unexpected keyword argument 'rate'",
+        "`rospy.Timer(rospy.Duration(0.5), self.callback)`:",
+    ),
+]

@@ -1,0 +1,222 @@
+"""A compiled node as the main program of a process, whose clock is its time, wherever the program itself runs.
+
+The two talk in batches, as ``cpp/js/node.mjs`` says: the node runs on its own for as long as nothing else is due, tells
+what it has done, and waits. Here that wait is one of a stack on the clock, as any other node's is.
+"""
+
+from __future__ import annotations
+
+import codecs
+import os
+import random
+import signal
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
+from typing import Any, Protocol
+
+from ..clocks.simulation import Simulation
+from ..clocks.stacks import current
+from ..world.world import NotSimulated, World, current_world
+from .values import packed, unpacked
+
+__all__ = ["Batch", "Child", "Program"]
+
+NEVER = 2**63 - 1
+
+_TICK = 32  # bytes
+
+_SEGMENTATION_FAULT = 128 + 11
+
+Batch = dict[str, Any]
+
+
+class Child(Protocol):
+    """Where a node runs."""
+
+    def go_on(self, message: Mapping[str, Any]) -> Iterator[Batch]:
+        """Let it begin, or continue, and yield its batches until one in which it waits or has ended."""
+
+    def end(self, by_itself: bool) -> None:
+        """Clear up after it."""
+
+
+class Program:
+    """Runs a compiled node of a ROS, whose source is ``path``, when it is called; ``begin`` makes what it runs in."""
+
+    def __init__(self, ros: int, path: str, begin: Callable[[World, Simulation], Child]) -> None:
+        self.ros = ros
+        self.path = path
+        self.begin = begin
+
+    def __call__(self) -> None:
+        """Run it to its end, on a stack of a simulation, within a process. Raises SystemExit with its status."""
+        world = current_world()
+        if not isinstance(world.clock, Simulation):
+            raise NotSimulated("C++ on the wall clock", "in simulated time, or on a real ROS")
+        world.bind(self.ros)
+        _Running(self, world, world.clock).run()
+
+
+class _Running:
+    """A node while it runs."""
+
+    def __init__(self, program: Program, world: World, clock: Simulation) -> None:
+        self._program = program
+        self._world = world
+        self._clock = clock
+        self._stack: Any = current()
+        self._events: list[tuple[int, str]] = []  # what should be given to the node: when it came, and what
+        self._signals: list[int] = []
+        self._sources: list[str] = []
+        self._ticks = 0  # how many were told
+        self._open: dict[int, int] = {}  # the places of ticks that have not ended, by their numbers
+        self._streams = {1: _Stream(lambda: sys.stdout), 2: _Stream(lambda: sys.stderr)}
+        self._ros = _answers(program.ros)(world, self._come)
+        self._has_ended = False  # by itself
+
+    def run(self) -> None:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self._world.handlers[number] = self._on_signal
+        self._world.tells = False
+        child = self._program.begin(self._world, self._clock)
+        try:
+            message = self._start()
+            while True:
+                for batch in child.go_on(message):
+                    message = self._follow(batch)
+        finally:
+            child.end(self._has_ended)
+
+    def _start(self) -> dict[str, Any]:
+        return {
+            "args": self._world.argv,
+            "environment": dict(os.environ),
+            "start": str(self._clock.now()),
+            "ahead": str(self._clock.ahead),
+            "seed": random.getrandbits(32),
+        }
+
+    def _follow(self, batch: Batch) -> dict[str, Any]:
+        """Note what the node has done; if it waits, wait with it, and return what to tell it."""
+        self._advance(int(batch["now"]))
+        for entry in batch["log"]:
+            self._note(*entry)
+        if "ticks" in batch:
+            self._note_ticks(batch["ticks"])
+        if "trap" in batch:
+            self._trapped(batch["trap"], batch["where"])
+        if "status" in batch:
+            self._has_ended = True
+            raise SystemExit(batch["status"])
+        if "asks" in batch:
+            what, values = unpacked(batch["asks"])
+            if what == "not_simulated":
+                raise NotSimulated(*values)
+            return self._reply(packed(self._ros.answer(what, values)))
+        if "wake" in batch:
+            self._wait(int(batch["wake"]))
+            return self._reply()
+        return {}
+
+    # --- time ---
+
+    def _advance(self, now: int) -> None:
+        """Move the clock to the node's time: it has been alone until then."""
+        if now > self._clock.now():
+            self._clock.sleep(now - self._clock.now())
+
+    def _wait(self, until: int) -> None:
+        """Wait as the node does, until its time has come, or something for it."""
+        clock = self._clock
+        if self._events or self._signals:
+            clock.sleep(0)
+        elif until <= clock.now():
+            clock.sleep(0)
+        else:
+            clock.wait(until - clock.now() if until < NEVER else None)
+
+    def _come(self, what: str, values: list[Any]) -> None:
+        """Give something to the node as soon as it waits."""
+        self._events.append((self._clock.now(), packed(what) + packed(values)))
+        self._clock.wake(self._stack)
+
+    def _on_signal(self, number: int, frame: object) -> None:
+        self._signals.append(number)
+        self._clock.wake(self._stack)
+
+    def _reply(self, answer: str = "") -> dict[str, Any]:
+        events, self._events = self._events, []
+        signals, self._signals = self._signals, []
+        return {
+            "now": str(self._clock.now()),
+            "ahead": str(self._clock.ahead),
+            "horizon": str(self._clock.horizon()),
+            "events": [(str(when), text) for when, text in events],
+            "signals": signals,
+            "answer": answer,
+        }
+
+    # --- what it has done ---
+
+    def _note(self, what: str, *values: Any) -> None:
+        log = self._world.recording.log
+        if what == "out":
+            number, text = values
+            self._streams[number].write(text.encode("latin-1"))
+        elif what == "source":
+            name, period = values
+            self._sources.append(self._world.source(name))
+            if log is not None:
+                log.periods.setdefault(self._sources[-1], int(period))
+        elif what == "end" and log is not None:
+            tick, duration = map(int, values)
+            log.end(self._open.pop(tick), duration)
+        elif what == "tell":
+            name, arguments = unpacked(values[0])
+            if name != "coming":
+                self._ros.take(name, arguments)
+            elif log is not None and log.is_over:
+                sources = [self._sources[number] for number in arguments[::4]]
+                log.coming += zip(sources, arguments[1::4], arguments[2::4], arguments[3::4])
+
+    def _note_ticks(self, data: bytes) -> None:
+        """Record ticks, written as ``js/shared.mjs`` says, in whole columns: a run may have a million."""
+        log = self._world.recording.log
+        halves, wholes = memoryview(data).cast("i"), memoryview(data).cast("q")
+        first, self._ticks = self._ticks, self._ticks + len(data) // _TICK
+        if log is None:
+            return
+        durations: list[int | None] = [*wholes[3::4].tolist()]
+        places = len(log)
+        at = -1
+        while -1 in durations[at + 1 :]:  # they last; there are as many as calls within calls
+            at = durations.index(-1, at + 1)
+            durations[at] = None
+            self._open[first + at] = places + at
+        sources = [self._sources[number] for number in halves[0::8].tolist()]
+        log.extend(sources, halves[1::8].tolist(), wholes[1::4].tolist(), wholes[2::4].tolist(), durations)
+
+    def _trapped(self, trap: str, where: list[str]) -> None:
+        """Say what has ended the node from outside, as on a computer: a fault of its memory."""
+        place = next((name for name in where if name), "")
+        sys.stderr.write(f"rosspin: {self._program.path}: {trap}{f', in {place}' if place else ''}\n")
+        raise SystemExit(_SEGMENTATION_FAULT)
+
+
+def _answers(ros: int) -> Any:
+    """Return what answers nodes of a ROS: ROS 2's loads rclpy."""
+    return getattr(import_module(f".ros{ros}", __package__), f"Ros{ros}")
+
+
+class _Stream:
+    """One of the streams of a process, to which bytes are written as text."""
+
+    def __init__(self, find: Callable[[], Any]) -> None:
+        self._find = find
+        self._decode = codecs.getincrementaldecoder("utf-8")(errors="replace").decode
+
+    def write(self, data: bytes) -> None:
+        stream = self._find()
+        stream.write(self._decode(data))
+        stream.flush()
