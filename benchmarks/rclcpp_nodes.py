@@ -14,8 +14,9 @@ from functools import cache
 from pathlib import Path
 
 from rosspin import Tick
+from rosspin.clocks.ctrl_c import Ending
 from rosspin.real import ros2
-from rosspin.real.children import Output, Patience
+from rosspin.real.children import Output
 
 __all__ = ["PACKAGE", "PROBES", "Programs", "build", "compiler", "libraries", "missing", "read_ticks"]
 
@@ -60,11 +61,11 @@ class Programs:
         name: str,
         seconds: float | None,
         args: Sequence[str] = (),
-        patience: Patience = ((signal.SIGINT, 5.0), (signal.SIGKILL, 5.0)),
+        ending: Ending = Ending(((signal.SIGINT, 5.0),)),
     ) -> Output:
         """Run a program; the seconds of a probe count from its first timer or pass."""
         begins = _BEGIN if name.endswith("_probe") and seconds is not None else None
-        return nodes.run([self[name], *args], seconds, begins=begins, patience=patience, more=libraries())
+        return nodes.run([self[name], *args], seconds, begins=begins, ending=ending, more=libraries())
 
 
 def libraries() -> dict[str, str]:

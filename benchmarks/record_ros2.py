@@ -28,8 +28,8 @@ from provenance import table, write_provenance
 from rclcpp_nodes import build, compiler, missing, read_ticks
 
 from rosspin import Tick, simulate
+from rosspin.clocks.ctrl_c import Ending
 from rosspin.real import ros2
-from rosspin.real.children import Patience
 from rosspin.results.recordings import COLUMNS
 from rosspin.results.saving import save_whole
 
@@ -190,8 +190,8 @@ def record_endings() -> None:
     """End each node of the endings in Python."""
     with ros2.Nodes() as nodes:
 
-        def run(file: Path, seconds: float | None, patience: Patience) -> tuple[int, float]:
-            run = nodes.launch(file, seconds, patience=patience)
+        def run(file: Path, seconds: float | None, ending: Ending) -> tuple[int, float]:
+            run = nodes.launch(file, seconds, ending=ending)
             return run.status, run.start
 
         _record_endings("endings", sorted(EXAMPLES.glob("endings/*.py")), run)
@@ -201,15 +201,15 @@ def record_endings_cpp() -> None:
     """End each node of the endings in C++."""
     with ros2.Nodes() as nodes:
 
-        def run(file: Path, seconds: float | None, patience: Patience) -> tuple[int, float]:
-            output = build().run(nodes, file.stem, seconds, patience=patience)
+        def run(file: Path, seconds: float | None, ending: Ending) -> tuple[int, float]:
+            output = build().run(nodes, file.stem, seconds, ending=ending)
             return output.status, output.start
 
         _record_endings("endings_cpp", sorted(EXAMPLES.glob("endings/*.cpp")), run)
 
 
 def _record_endings(
-    name: str, files: Sequence[Path], run: Callable[[Path, float | None, Patience], tuple[int, float]]
+    name: str, files: Sequence[Path], run: Callable[[Path, float | None, Ending], tuple[int, float]]
 ) -> None:
     """End each node many times: how it ended, how often, and how soon after the signal; ``run`` gives status and start.
 
@@ -226,8 +226,8 @@ def _record_endings(
 
     def end(job: tuple[Path, signal.Signals | None]) -> tuple[tuple[str, str, int], float]:
         file, number = job
-        patience: Patience = ((number or signal.SIGINT, 4.0), (signal.SIGKILL, 5.0))
-        status, begun = run(file, ENDING_AFTER if number else None, patience)
+        ending = Ending(((number or signal.SIGINT, 4.0),))
+        status, begun = run(file, ENDING_AFTER if number else None, ending)
         late = time.time() - begun - ENDING_AFTER if number else math.nan
         return (file.stem, number.name if number else "", status), late
 
@@ -260,8 +260,8 @@ def record_signals() -> None:
         def end(job: tuple[str, signal.Signals]) -> tuple[str, str, int, str]:
             moment, number = job
             line, after = MOMENTS[moment]
-            patience: Patience = ((number, 4.0), (signal.SIGKILL, 5.0))
-            run = nodes.run([ros2.python(), str(SIGNALLED)], after, begins=re.compile(line), patience=patience)
+            ending = Ending(((number, 4.0),))
+            run = nodes.run([ros2.python(), str(SIGNALLED)], after, begins=re.compile(line), ending=ending)
             error = re.search(r"^\S*\b(\w+Error: \w+(?: \w+)*).*\n\Z", run.console, re.MULTILINE)
             return moment, number.name, run.status, error[1] if error else ""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import nullcontext
@@ -20,6 +21,7 @@ from simulated_only import simulated_only
 from surroundings import clean
 from tree import DOCTREES, ROOT, SITE, TESTS
 
+from rosspin.clocks.ctrl_c import Ending
 from rosspin.results.saving import save_whole
 
 # Seconds that each file of tests took once, by its path below tests/; and those of this run.
@@ -126,7 +128,7 @@ def watchful(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def impatient(watchful: None, monkeypatch: pytest.MonkeyPatch) -> None:
     """That, and one that does not heed Ctrl-C is killed after a second."""
-    monkeypatch.setattr("rosspin.run.host.PATIENCE", 1)
+    monkeypatch.setattr("rosspin.run.host.Host.ending", Ending(((signal.SIGINT, 1.0),)))
 
 
 @pytest.fixture(scope="session")

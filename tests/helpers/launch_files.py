@@ -61,7 +61,7 @@ class Real:
             file = str(self._package / "launch" / f"{name}.launch")
             command = ["roslaunch", "--disable-title", "--skip-log-check", "--no-summary", file, *ARGS.get(name, [])]
             begins = re.compile(r"process\[.*started with pid")
-            output = workspace.run(command, _seconds(name), begins=begins, patience=ros1._LAUNCH_PATIENCE)
+            output = workspace.run(command, _seconds(name), begins=begins, ending=ros1._LAUNCH)
         return output.status, output.console.partition("ROS_MASTER_URI=")[2].partition("\n")[2]
 
 

@@ -22,6 +22,7 @@ from tree import ROOT
 from verdicts import control
 
 from rosspin.__main__ import main
+from rosspin.clocks.ctrl_c import Ending
 from rosspin.measures import by_source
 from rosspin.real import ros1
 from rosspin.results.console import read_ticks
@@ -94,8 +95,8 @@ def test_subscribers_of_both_languages_hear_a_publisher_of_either(
     language = publisher.split("_")[1].upper()
     both = Until(*(rf"SUBSCRIBER {each} NODE\] counter = " for each in ("CPP", "PY")), times=3)
     command = cpp_nodes.roslaunch(workspace, "publish.launch", f"publisher:={publisher}")
-    patience, more = ros1._LAUNCH_PATIENCE, cpp_nodes.environment
-    run = workspace.run(command, NEVER, both, patience=patience, more=more)
+    ending, more = ros1._LAUNCH, cpp_nodes.environment
+    run = workspace.run(command, NEVER, both, ending=ending, more=more)
     assert run.status == 0
     assert re.search(rf"\[PUBLISHER {language} NODE\] namespace of \w+ = /mrp", run.console)
     heard = by_source(read_ticks(run.console))
@@ -295,9 +296,9 @@ def test_ctrl_c_ends_a_cpp_node_cleanly(workspace: ros1.Workspace, cpp_nodes: Cp
 
 
 def test_while_ros_ok_does_not_end_at_ctrl_c(workspace: ros1.Workspace, cpp_nodes: CppNodes) -> None:
-    patience = ((signal.SIGINT, 2.0), (signal.SIGINT, 2.0), (signal.SIGTERM, 5.0), (signal.SIGKILL, 5.0))
+    ending = Ending(((signal.SIGINT, 2.0), (signal.SIGINT, 2.0), (signal.SIGTERM, 5.0)))
     command = [cpp_nodes.program("while_ros_ok")]
-    output = workspace.run(command, 0.2, begins=re.compile("counter = "), patience=patience)
+    output = workspace.run(command, 0.2, begins=re.compile("counter = "), ending=ending)
     assert output.status == 128 + signal.SIGTERM
 
 

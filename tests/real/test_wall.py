@@ -18,8 +18,9 @@ import pytest
 from jupyter_client.manager import start_new_kernel
 from verdicts import control
 
-import rosspin.run.host
 from rosspin import NotSimulated, Tick, measure, simulate
+from rosspin.clocks.ctrl_c import Ending
+from rosspin.run.host import Host
 
 pytestmark = pytest.mark.shares(4)
 
@@ -58,11 +59,14 @@ catches_all()
 
 PATIENCE = 0.5
 
+# The same for another process.
+IMPATIENT = f"from rosspin.run import host; host.Host.ending = host.Ending(((2, {PATIENCE}),))"
+
 
 @pytest.fixture
 def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
     """A node that does not heed Ctrl-C is killed soon."""
-    monkeypatch.setattr(rosspin.run.host, "PATIENCE", PATIENCE)
+    monkeypatch.setattr(Host, "ending", Ending(((signal.SIGINT, PATIENCE),)))
 
 
 class Life:
@@ -395,7 +399,7 @@ def test_a_node_ends_with_its_caller(write: Any, life: Life) -> None:
 
 
 def run_on_the_command_line(node: Path, seconds: float = 0.5) -> subprocess.CompletedProcess[str]:
-    code = f"import sys, rosspin.run.host as r, rosspin.__main__ as m; r.PATIENCE = {PATIENCE}; sys.exit(m.main())"
+    code = f"{IMPATIENT}; import sys, rosspin.__main__ as m; sys.exit(m.main())"
     command = [sys.executable, "-c", code, "run", str(node), "--seconds", str(seconds)]
     return subprocess.run(command, capture_output=True, text=True, timeout=NEVER)
 
@@ -444,7 +448,7 @@ def test_a_cell_of_a_notebook(tmp_path: Path) -> None:
         return "".join(shown)
 
     try:
-        show(f"%load_ext rosspin\nimport rosspin.run.host\nrosspin.run.host.PATIENCE = {PATIENCE}")
+        show(f"%load_ext rosspin\n{IMPATIENT}")
         with control(bears=0.1):
             shown = show(f"%%measure 1\n{first.hold}{HOLDS_ALL}")
             assert "did not end the node" in shown and "rosspin: MainThread was at <cell " in shown

@@ -166,20 +166,20 @@ def run_on_the_wall(
     main: Callable[[], object],
     program: Program,
     until: int | None,
-    patience: int,
+    patience: float,
     last_resort: LastResort | None = None,
 ) -> None:
     """Run ``main`` as a program on the wall clock. Raises RuntimeError outside of the main thread.
 
     Ctrl-C comes ``until`` ns after the start, if that is not None, or from the user. Raises :class:`Killed` if the end
-    takes ``patience`` ns more. A last call that heeds no signal is waited for, unless there is a ``last_resort``.
+    takes ``patience`` seconds more. A last call that heeds no signal is waited for, unless there is a ``last_resort``.
     """
     if threading.current_thread() is not threading.main_thread():
         raise RuntimeError("on the wall clock a node can run only in the main thread, which handles its signals")
     seconds = None if until is None else until / NS
-    guarded = guard(seconds, patience / NS + 2 * _DEAF, last_resort.last_words) if last_resort else nullcontext()
+    guarded = guard(seconds, patience + 2 * _DEAF, last_resort.last_words) if last_resort else nullcontext()
     give_up = last_resort.give_up if last_resort else None
-    with guarded as interrupted, _own_signals(), _Alarm(program, seconds, patience / NS, interrupted, give_up) as alarm:
+    with guarded as interrupted, _own_signals(), _Alarm(program, seconds, patience, interrupted, give_up) as alarm:
         before = enter(program)
         try:
             with followed_threads(), ending_here(), Builtins():

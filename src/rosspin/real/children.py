@@ -10,9 +10,11 @@ import subprocess
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple, Self, TextIO
 
+from ..clocks.ctrl_c import ROSLAUNCH, Ending
 from ..results.folders import TemporaryFolder
 
 __all__ = [
@@ -20,14 +22,10 @@ __all__ = [
     "START_PATIENCE",
     "Children",
     "Output",
-    "Patience",
     "check_seconds",
     "say_deaths",
     "shell_status",
 ]
-
-# Signals that ask a process to end, and how long (s) each is given to be heeded.
-Patience = Sequence[tuple[signal.Signals, float]]
 
 # How long (s) a process may take to get going on a busy machine.
 START_PATIENCE = 60.0
@@ -51,8 +49,7 @@ class Output(NamedTuple):
 class Children:
     """A temporary folder and the processes that were started in it. Leaving it ends them and removes it."""
 
-    # The signals that end a process, sent one after the other.
-    patience: Patience = ((signal.SIGINT, 15.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))
+    ending: Ending = ROSLAUNCH
 
     def __init__(self) -> None:
         self._temporary = TemporaryFolder()
@@ -98,19 +95,19 @@ class Children:
         seconds: float | None,
         onward: TextIO | None = None,
         begins: re.Pattern[str] | None = None,
-        patience: Patience | None = None,
+        ending: Ending | None = None,
         clean: Callable[[str], str] = str,
         more: Mapping[str, str] | None = None,
     ) -> Output:
-        """Run a command until it ends or ``seconds`` are over, then press Ctrl-C; ``patience`` says what comes after.
+        """Run a command until it ends or ``seconds`` are over, then end it: with Ctrl-C, and as ``ending`` says.
 
         The seconds count from the first line of the console that matches ``begins``, or else from the start. A real
         Ctrl-C ends the command in the same way; one that cuts ``seconds`` short is then raised in the caller.
         ``clean`` turns each line into what the console keeps of it; ``more`` is added to the environment.
         """
-        patience = patience or self.patience
+        ending = ending or self.ending
         process = self.start(command, subprocess.PIPE, subprocess.STDOUT, more)
-        console = _Reader(process, onward, begins, patience, clean)
+        console = _Reader(process, onward, begins, ending, clean)
         interrupt = None
         try:
             if begins is not None and not console.begun.wait(START_PATIENCE):
@@ -118,9 +115,9 @@ class Children:
             process.wait(seconds)
         except subprocess.TimeoutExpired:
             interrupt = time.time()
-            _end(process, patience)
+            _end(process, ending)
         except KeyboardInterrupt:
-            _end(process, patience)
+            _end(process, ending)
             if seconds is not None:
                 raise
         return Output(console.text(), shell_status(process.wait()), console.start, interrupt)
@@ -161,7 +158,7 @@ class _Reader:
         process: subprocess.Popen[bytes],
         onward: TextIO | None,
         begins: re.Pattern[str] | None,
-        patience: Patience,
+        ending: Ending,
         clean: Callable[[str], str],
     ) -> None:
         assert process.stdout is not None
@@ -171,7 +168,7 @@ class _Reader:
         self._pipe = process.stdout
         self._onward = onward
         self._begins = begins
-        self._patience = patience
+        self._ending = ending
         self._clean = clean
         self._lines: list[str] = []
         self._thread = threading.Thread(target=self._read, daemon=True)
@@ -202,18 +199,16 @@ class _Reader:
             self._onward.flush()
         except OSError:  # no one listens any more, as after `| head`
             self._onward = None
-            threading.Thread(target=_end, args=(self._process, self._patience), daemon=True).start()
+            threading.Thread(target=_end, args=(self._process, self._ending), daemon=True).start()
 
 
-def _end(process: subprocess.Popen[bytes], patience: Patience) -> None:
-    """End a process with one signal after another, each given its time (s)."""
-    for number, wait in patience:
-        process.send_signal(number)
-        try:
-            process.wait(wait)
-            return
-        except subprocess.TimeoutExpired:
-            pass
+def _end(process: subprocess.Popen[bytes], ending: Ending) -> None:
+    def ends_within(seconds: float) -> bool:
+        with suppress(subprocess.TimeoutExpired):
+            process.wait(seconds)
+        return process.returncode is not None
+
+    ending.carry_out(process.send_signal, ends_within)
 
 
 def _signal_all(processes: Callable[[], Iterator[int]], number: signal.Signals, patience: float) -> None:

@@ -18,6 +18,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TextIO
 
+from ..clocks.ctrl_c import Ending
 from ..results.console import read_ticks
 from ..results.ticks import Run
 from .children import SITECUSTOMIZE, START_PATIENCE, Children, Output, check_seconds, say_deaths, shell_status
@@ -28,7 +29,7 @@ __all__ = ["APT", "BuildFailed", "Ros1Missing", "Workspace", "launch", "missing"
 APT = "build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster python3-rospy rosbash"
 
 # roslaunch gives its nodes the usual time to end, and then its master a little more.
-_LAUNCH_PATIENCE = ((signal.SIGINT, 25.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))
+_LAUNCH = Ending(((signal.SIGINT, 25.0), (signal.SIGTERM, 2.0)))
 
 # What in the caller's environment would change the run or its console.
 _UNWANTED = ("PYTHONHOME", "ROSCONSOLE_CONFIG_FILE", "ROSCONSOLE_FORMAT", "ROS_IP", "ROS_IPV6", "ROS_NAMESPACE")
@@ -225,7 +226,7 @@ class Workspace(Children):
         self.build()
         copy = self.source / package.resolve().name / file.resolve().relative_to(package.resolve())
         command = [str(self.folder / "devel/env.sh"), "roslaunch", "-p", str(self.port), str(copy), *args]
-        output = self.run(command, seconds, onward, _STARTED, _LAUNCH_PATIENCE, lambda line: _TITLE.sub("", line))
+        output = self.run(command, seconds, onward, _STARTED, _LAUNCH, lambda line: _TITLE.sub("", line))
         # What nodes did at Ctrl-C is only in roslaunch's log.
         log = "".join(path.read_text() for path in self.folder.glob("log/*/roslaunch-*.log"))
         deaths = [(name, int(code)) for name, code in _DIED.findall(output.console) + _STOPPED.findall(log)]

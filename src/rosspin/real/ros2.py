@@ -19,9 +19,10 @@ from functools import cache
 from pathlib import Path
 from typing import TextIO
 
+from ..clocks.ctrl_c import ROS2_LAUNCH, Ending
 from ..results.ticks import Run, Tick
 from ..run.source import around_package, words_of
-from .children import SITECUSTOMIZE, START_PATIENCE, Children, Patience, check_seconds, say_deaths
+from .children import SITECUSTOMIZE, START_PATIENCE, Children, check_seconds, say_deaths
 
 __all__ = ["Nodes", "Ros2Missing", "launch", "missing", "python", "remedy", "unavailable", "version"]
 
@@ -147,8 +148,7 @@ class Nodes(Children):
     The nodes see no others; with ``meet`` they see each other.
     """
 
-    # As `ros2 launch` does it.
-    patience = ((signal.SIGINT, 5.0), (signal.SIGTERM, 5.0), (signal.SIGKILL, 5.0))
+    ending = ROS2_LAUNCH
 
     def __init__(self, meet: bool = False) -> None:
         super().__init__()
@@ -176,15 +176,15 @@ class Nodes(Children):
         seconds: float | None = None,
         args: Sequence[str] = (),
         onward: TextIO | None = None,
-        patience: Patience | None = None,
+        ending: Ending | None = None,
     ) -> Run:
-        """Run a node file: see :func:`launch`; ``patience`` says what it is sent at the end."""
+        """Run a node file: see :func:`launch`; ``ending`` says how it is ended."""
         told = _Told()
         folders = (str(self.folder), around_package(str(file.resolve().parent)), self.environment.get("PYTHONPATH"))
         path = os.pathsep.join(filter(None, folders))
         command = [python(), *words_of(str(file)), *args]
         begins = None if seconds is None else _BEGIN
-        output = self.run(command, seconds, onward, begins, patience, told, {"PYTHONPATH": path})
+        output = self.run(command, seconds, onward, begins, ending, told, {"PYTHONPATH": path})
         # Python itself has reported an interrupt; no one has reported an abort or a kill.
         silent = output.status > 128 and output.status != 128 + signal.SIGINT
         said = say_deaths({file.name: output.status} if silent else {}, onward) + _say_lacking(output.console, onward)

@@ -31,7 +31,7 @@ class TimeStandsStill(RuntimeError):
     """The node keeps simulated time from passing. The message says where and how."""
 
 
-def say_killed(node: Code, ros: int, seconds: float | None, waited: Sequence[Whereabouts], patience: int) -> str:
+def say_killed(node: Code, ros: int, seconds: float | None, waited: Sequence[Whereabouts], patience: float) -> str:
     """Say why a node of ROS 1 or 2 was killed ``patience`` seconds after Ctrl-C, and where its threads were."""
     at = "" if seconds is None else f" at {seconds:.10g} s"
     why = f"Does its loop check {ROSES[ros].goes_on_cpp if node.filename.endswith(CPP) else ROSES[ros].goes_on}?"
@@ -40,7 +40,7 @@ def say_killed(node: Code, ros: int, seconds: float | None, waited: Sequence[Whe
             "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep in it. "
             "Use a Rate only in a daemon thread."
         )
-    said = f"rosspin: Ctrl-C{at} did not end the node; it was killed {patience} s later{ROSES[ros].kills}. {why}\n"
+    said = f"rosspin: Ctrl-C{at} did not end the node; it was killed {patience:g} s later{ROSES[ros].kills}. {why}\n"
     return said + say_where(node, waited)
 
 

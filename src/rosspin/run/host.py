@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TextIO
 
 from ..clocks import signals, threads, virtual_time
 from ..clocks.clock import NS, Clock, nanoseconds
+from ..clocks.ctrl_c import ALONE, Ending
 from ..clocks.ending import Ended
 from ..clocks.explored import ExploredSimulation
 from ..clocks.frames import Whereabouts
@@ -38,12 +39,7 @@ if TYPE_CHECKING:
     from ..faults import Fault
     from ..faults.engine import Engine
 
-__all__ = ["AFTER_SIGINT", "AFTER_SIGTERM", "PATIENCE", "Host", "Result", "Supervisor", "duration", "kept", "replaced"]
-
-# How long (s) roslaunch waits after Ctrl-C, and then after SIGTERM, before it kills; here so long in all after Ctrl-C
-# (source: roslaunch/nodeprocess.py, _TIMEOUT_SIGINT and _TIMEOUT_SIGTERM).
-AFTER_SIGINT, AFTER_SIGTERM = 15, 2
-PATIENCE = AFTER_SIGINT + AFTER_SIGTERM
+__all__ = ["Host", "Result", "Supervisor", "duration", "kept", "replaced"]
 
 # The statuses of a process that has not failed: Ctrl-C may end it, too, as a signal of a shell or of a launcher.
 _FINE = (None, 0, 128 + signal.SIGINT, -signal.SIGINT)
@@ -74,6 +70,7 @@ class Host:
     wrong, on a simulated clock only; it raises what ``simulate`` raises for them.
     """
 
+    ending: Ending = ALONE  # of a process that no supervisor ends
     supervisor: Supervisor | None = None
     on_failure: Callable[[], None] | None = None  # called for each error that is printed, and for a status other than 0
 
@@ -343,7 +340,7 @@ class Host:
 
     @property
     def _patience(self) -> int | None:
-        return None if self.supervisor else PATIENCE * NS
+        return None if self.supervisor else nanoseconds(self.ending.patience)
 
     def run(self, until: int) -> None:
         """Let the simulated time pass to ``until`` (ns after its start), press Ctrl-C, and let the processes end.
@@ -397,12 +394,12 @@ class Host:
             give_up(self.result())
 
         def last_words(stacks: list[Whereabouts]) -> str:
-            return say_killed(node, self.ros, seconds, keep_those_of(node, stacks), PATIENCE)
+            return say_killed(node, self.ros, seconds, keep_those_of(node, stacks), self.ending.patience)
 
         last_resort = give_up and LastResort(give, last_words)
         until = None if seconds is None else duration(seconds)
         with self._explained(seconds):
-            run_on_the_wall(process.run, process.world, until, PATIENCE * NS, last_resort)
+            run_on_the_wall(process.run, process.world, until, self.ending.patience, last_resort)
 
     @contextmanager
     def _explained(self, seconds: float | None) -> Iterator[None]:
@@ -432,7 +429,7 @@ class Host:
 
     def _killed(self, process: Process, seconds: float | None, killed: Killed) -> None:
         process.world.waited = killed.waited
-        sys.stderr.write(say_killed(process.node, self.ros, seconds, killed.waited, PATIENCE))
+        sys.stderr.write(say_killed(process.node, self.ros, seconds, killed.waited, self.ending.patience))
         if killed.blocks:
             sys.stderr.write(
                 "rosspin: the main thread blocks SIGINT (signal.pthread_sigmask): Ctrl-C does not reach it\n"

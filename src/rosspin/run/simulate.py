@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..clocks.clock import Clock
+from ..clocks.ctrl_c import Ending
 from ..clocks.explored import ExploredSimulation, Order
 from ..clocks.simulation import Simulation
 from ..results.ticks import Run
@@ -188,14 +189,17 @@ def run_node(
     ticks: TickLog | None = None,
     give_up: Callable[[Result], object] | None = None,
     faults: Sequence[Fault] = (),
+    ending: Ending | None = None,
 ) -> Result:
     """Run a loaded node on a clock: if ``seconds`` is None, on the wall until Ctrl-C.
 
     Its console goes where ``sys.stdout`` and ``sys.stderr`` go; ticks and messages are recorded if ``ticks`` is given.
-    ``give_up`` is for the wall: see :meth:`Host.run_on_the_wall`; ``faults`` are for simulated time.
+    ``give_up`` is for the wall: see :meth:`Host.run_on_the_wall`; ``faults`` are for simulated time. ``ending`` says
+    how it is ended, if not as usual.
     """
     until = None if seconds is None else duration(seconds)
     host = Host(clock, ticks, faults=faults)
+    host.ending = ending or host.ending
     warn_of_files([node])
     with host.inside():
         host.add(node, args)

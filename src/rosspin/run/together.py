@@ -9,11 +9,11 @@ from collections.abc import Sequence
 from contextlib import suppress
 from functools import partial
 
-from ..clocks.clock import NS
+from ..clocks.clock import NS, nanoseconds
 from ..clocks.programs import press_ctrl_c, where_it_waits
 from ..clocks.simulation import Simulation
 from .explain import say_killed
-from .host import PATIENCE, Host
+from .host import Host
 from .process import Process
 from .roses import ROSES
 from .roslaunch.launch import Node
@@ -60,7 +60,7 @@ class Together:
         for process in processes:
             if not process.world.over:
                 press_ctrl_c(process.world)
-        self._wait(processes, PATIENCE * NS)
+        self._wait(processes, nanoseconds(self._host.ending.patience))
         for process in processes:
             if not process.world.over:
                 self._kill(process)
@@ -91,7 +91,7 @@ class Together:
     def _kill(self, process: Process) -> None:
         world = process.world
         waited = where_it_waits(world)
-        self._stderr.write(say_killed(process.node, world.ros or 1, None, waited, PATIENCE))
+        self._stderr.write(say_killed(process.node, world.ros or 1, None, waited, self._host.ending.patience))
         world.exit_status = 128 + signal.SIGKILL
         self.status = self.status or world.exit_status
         self._clock.end(world)

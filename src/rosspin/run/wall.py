@@ -25,8 +25,7 @@ from ..clocks.frames import node_frames
 from ..messages import pickles
 from ..results.ticks import Call, Message, Run, Tick
 from ..world.graph import TickLog
-from . import host
-from .host import Result, duration
+from .host import Host, Result, duration
 from .kept import refuse_a_run_within_a_run
 from .process import leave
 from .simulate import run_captured, run_node
@@ -69,7 +68,7 @@ def measured(node: Code, seconds: float, args: Sequence[str], *streams: TextIO) 
     refuse_a_run_within_a_run()
     duration(seconds)
     console = Capture(*streams)
-    job = pickle.dumps((node.source, node.filename, seconds, list(args), host.PATIENCE))
+    job = pickle.dumps((node.source, node.filename, seconds, list(args), Host.ending))
     read, write = os.pipe()
     # The node's process is a fresh one: a fork of this one would inherit the locks that its other threads hold.
     code = f"import sys; sys.path[:] = {sys.path!r}; from rosspin.run.wall import run_apart; run_apart({write})"
@@ -121,7 +120,7 @@ class _Apart:
                 received = self._take(received + data)
             elif self._child.poll() is not None:
                 return  # only a child of the node's still holds the pipe
-            elif self._ended and time.monotonic() > self._ended + host.PATIENCE:
+            elif self._ended and time.monotonic() > self._ended + Host.ending.patience:
                 return
 
     def _take(self, received: bytes) -> bytes:
@@ -196,7 +195,7 @@ def run_apart(pipe: int) -> None:
     os.set_inheritable(pipe, False)
     adopt_orphans()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # before the run and after it
-    source, filename, seconds, args, host.PATIENCE = pickle.load(sys.stdin.buffer)
+    source, filename, seconds, args, ending = pickle.load(sys.stdin.buffer)
     caller, empty = os.dup(0), os.open(os.devnull, os.O_RDONLY)
     os.dup2(empty, 0)
     with warnings.catch_warnings(action="ignore"):  # the caller has seen them
@@ -215,7 +214,7 @@ def run_apart(pipe: int) -> None:
         send(_END)
 
     try:
-        result = run_node(node._replace(main=main), seconds, args, WallClock(), TickLog(), give)
+        result = run_node(node._replace(main=main), seconds, args, WallClock(), TickLog(), give, ending=ending)
     except Exception as error:
         where = traceback.format_tb(node_frames((error.__cause__ or error).__traceback__))
         error.add_note("In the process of the node:\n" + "".join(where).rstrip())

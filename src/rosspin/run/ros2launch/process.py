@@ -7,6 +7,7 @@ import signal
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from ...clocks.ctrl_c import ROS2_LAUNCH
 from ...clocks.programs import press_ctrl_c, send
 from ...clocks.simulation import Simulation
 from ...clocks.threads import unlist_threads
@@ -22,9 +23,6 @@ if TYPE_CHECKING:
     from .service import LaunchService, Timer
 
 __all__ = ["ExecuteLocal"]
-
-# How long (s) to wait after SIGINT, and then after SIGTERM.
-_PATIENCE = "5"
 
 # What goes to the screen.
 _OUTPUTS = {name: {"stdout", "stderr"} for name in ("screen", "both", "full")} | {"log": {"stderr"}, "own_log": set()}
@@ -48,7 +46,8 @@ class ExecuteLocal:
             if getattr(action, lacking):
                 raise NotImplementedError(f"{type(action).__name__}({lacking}=...) is not simulated")
         self._patience = [
-            perform(context, each or _PATIENCE) for each in (action.sigterm_timeout, action.sigkill_timeout)
+            perform(context, given or f"{usual:g}")
+            for given, (_, usual) in zip((action.sigterm_timeout, action.sigkill_timeout), ROS2_LAUNCH.signals)
         ]
         self._respawn = perform_typed(context, action.respawn, bool)
         self._folder = perform(context, action.cwd) if action.cwd else ""

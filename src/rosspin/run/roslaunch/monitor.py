@@ -10,15 +10,17 @@ import sys
 import threading
 from collections import deque
 from collections.abc import Sequence
+from functools import partial
 
 from ...clocks.clock import NS, nanoseconds
+from ...clocks.ctrl_c import ROSLAUNCH
 from ...clocks.programs import press_ctrl_c, send, where_it_waits
 from ...clocks.simulation import Simulation
 from ...clocks.threads import unlist_threads
 from ...rospy.state import Master
 from ...world.world import World
 from ..explain import say_where
-from ..host import AFTER_SIGINT, AFTER_SIGTERM, Host
+from ..host import Host
 from ..process import Process
 from ..source import Code
 from ..streams import nowhere
@@ -156,30 +158,26 @@ class Monitor:
         while waiting:
             member = waiting.popleft()
             self._say(f"[{member.name}] killing on exit")
-            if self._end(member):
+            if ROSLAUNCH.carry_out(partial(self._send, member), partial(self._ends_within, member)) == signal.SIGKILL:
                 errors.append(f" * process[{member.name}]: required SIGKILL. May still be running.")
 
-    def _end(self, member: _Member) -> bool:
-        """End a process, and return whether it had to be killed."""
+    def _send(self, member: _Member, number: signal.Signals) -> None:
         world = member.world
-        if not world.over:
+        if number != signal.SIGINT:
+            self._complain(f"[{member.name}] escalating to {number.name}")
+        if number == signal.SIGKILL:
+            self._stderr.write(say_where(member.code, where_it_waits(world)))
+            self._clock.end(world)
+        elif number == signal.SIGTERM:
+            send(world, number)
+        elif not world.over:
             press_ctrl_c(world)
-        if self._ends_within(world, AFTER_SIGINT):
-            return False
-        self._complain(f"[{member.name}] escalating to SIGTERM")
-        send(world, signal.SIGTERM)
-        if self._ends_within(world, AFTER_SIGTERM):
-            return False
-        self._complain(f"[{member.name}] escalating to SIGKILL")
-        self._stderr.write(say_where(member.code, where_it_waits(world)))
-        self._clock.end(world)
-        return True
 
-    def _ends_within(self, world: World, seconds: int) -> bool:
-        until = self._clock.now() + seconds * NS
-        while not world.over and self._clock.now() < until:
+    def _ends_within(self, member: _Member, seconds: float) -> bool:
+        until = self._clock.now() + nanoseconds(seconds)
+        while not member.world.over and self._clock.now() < until:
             self._clock.sleep(_LOOK)
-        return world.over
+        return member.world.over
 
     def _say(self, text: str) -> None:
         self._stdout.write(text + "\n")
