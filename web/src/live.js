@@ -1,8 +1,9 @@
 // Loaded with each page that has listings to run. Nothing else is loaded until the reader touches one of them.
 
-import { Cell, loadShare, showProgress } from "./cell.js"
+import { Cell, loadShare } from "./cell.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { find, here, make } from "./make.js"
+import { showProgress } from "./progress.js"
 import { notHere } from "./python.js"
 
 const base = here().href
