@@ -35,10 +35,11 @@ from .results.saving import save_whole
 from .results.ticks import Mishap, Run, Tick
 from .run.explain import say_error
 from .run.host import Result, duration
+from .run.kinds import language_of
 from .run.process import leave
 from .run.roslaunch.launch import read_launch
 from .run.simulate import prepare, run_in_order, run_node, run_nodes, several, with_jitter
-from .run.source import CPP, is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
+from .run.source import is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
 from .world.graph import TickLog
 
 __all__ = ["main"]
@@ -60,7 +61,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _main(argv: Sequence[str] | None) -> int:
     own, node_args = split_words(sys.argv[1:] if argv is None else argv)
     options, unknown = _parser().parse_known_args(own)
-    unknown += [word for word in getattr(options, "files", [])[1:] if not word.endswith((".py", *CPP))]
+    unknown += [word for word in getattr(options, "files", [])[1:] if not (word.endswith(".py") or language_of(word))]
     if unknown:
         options.parser.error(f"unknown arguments: {' '.join(unknown)} (put the node's own arguments after --)")
     options.alone = argv is None  # this process is there for the command alone
@@ -268,7 +269,7 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         raise ValueError("several nodes run in simulated time only: --simulated")
     of_ros2 = is_launch_of_ros2(options.file)
     launched = options.file.endswith(".launch") or of_ros2
-    if not (options.ros1 or options.simulated) and options.file.endswith(CPP):
+    if not (options.ros1 or options.simulated) and language_of(options.file):
         raise ValueError(f"{options.file}: C++ nodes run in simulated time or on the real ROS 1: --simulated or --ros1")
     if launched and not (of_ros2 or options.ros1 or options.simulated):
         raise ValueError(

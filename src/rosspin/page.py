@@ -42,16 +42,16 @@ from .exercises.advice import advice, lacking
 from .measures import by_source, describe_timeline, lost_by_source, quantile
 from .results.pinned import as_test
 from .results.ticks import Tick
-from .run import source as sources
 from .run.alone import ON_A_COMPUTER, refuse_processes
 from .run.beside import run_beside
 from .run.explain import TimeStandsStill, say_error
 from .run.host import Result
-from .run.roses import ROSES, Ros
+from .run.kinds import ROS, Ros, language_of
+from .run.kinds.cpp import Cpp
 from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
 from .run.simulate import run_node, run_nodes, several
-from .run.source import CPP, Code, code_of_program, load_source, split_words
+from .run.source import Code, code_of_program, load_source, split_words
 from .run.steps_seen import StepsSeen
 from .vehicle import VEHICLES
 from .vehicle.drawn import drawn
@@ -62,7 +62,7 @@ from .world.world import NotSimulated, World
 if TYPE_CHECKING:
     from .hand_ins.on_page import Table
     from .look import Look
-    from .programs import Batch
+    from .programs import Batch, Program
 
 __all__ = ["answer", "judge", "look", "pin", "read", "report", "run", "trace", "wake"]
 
@@ -151,7 +151,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
     with _left_as_found(), redirect_stdout(streams[0]), redirect_stderr(streams[1]):
         try:
             if launched := loads(files):
-                pacer = _Pacer(page, speed, printed, "", ROSES[1], several=True)
+                pacer = _Pacer(page, speed, printed, "", ROS[1], several=True)
                 words = _split(args, "arguments")
                 return dumps(_launch(source, filename, seconds, words, launched, page, pacer, printed))
             if source.startswith("%%"):
@@ -162,7 +162,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             node = _load(exercises.code(source), filename, page)
             drives = source.startswith("%%drive ")
             seen = "" if drives or node.source is None else filename
-            pacer = _Pacer(page, speed, printed, seen, ROSES[node.hint or 1], len(others) > 0)
+            pacer = _Pacer(page, speed, printed, seen, ROS[node.hint or 1], len(others) > 0)
             if drives:
                 return dumps(_drive(node, seconds, node_args, pacer, printed))
             return dumps(_run(node, seconds, node_args, others, pacer, printed))
@@ -170,7 +170,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):
                 print("Python could not read this line, so nothing ran.", file=sys.stderr)
-            if isinstance(error, NotSimulated) and not filename.endswith(CPP):
+            if isinstance(error, NotSimulated) and not language_of(filename):
                 ros = load_source(exercises.code(source), filename).hint or 1
                 with_ros, option = ("", "") if error.where == ON_A_COMPUTER else (f" with ROS {ros}", f" --ros{ros}")
                 print(f"On a computer{with_ros}, run: python -m rosspin run{option} FILE", file=sys.stderr)
@@ -178,12 +178,14 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
 
 
 def _load(source: str, filename: str, page: Any) -> Code:
-    if not filename.endswith(CPP):
-        return load_source(source, filename)
+    return code_of_program(_program(source, filename, page)) if language_of(filename) else load_source(source, filename)
+
+
+def _program(source: str, filename: str, page: Any) -> Program:
     from .programs import Program  # most runs go without
 
     begin = partial(_Child, page.program(os.path.basename(filename)))
-    return code_of_program(Program(2 if "rclcpp/" in source else 1, filename, begin))
+    return Program(2 if "rclcpp/" in source else 1, filename, begin)
 
 
 class _Child:
@@ -386,8 +388,7 @@ def _run(
     pacer: _Pacer,
     printed: _Printed,
 ) -> dict[str, Any]:
-    rates = [ROSES[1].stand_in.Rate, ROSES[2].stand_in.timer.Rate]
-    with patched((rate, "__init__", printed.forget_before) for rate in rates):
+    with patched((ros.rate, "__init__", printed.forget_before) for ros in ROS.values()):
         if others:
             nodes = [(node, args), *others]
             launch = Launch([LaunchNode(each.filename, words) for each, words in nodes])
@@ -420,10 +421,10 @@ def _launch(
 ) -> dict[str, Any]:
     from .results.folders import TemporaryFolder  # likewise
 
-    def load_cpp(path: str, waiting: object) -> Code:
-        return _load(Path(path).read_text(encoding="utf-8"), path, page)
+    def program(cpp: Cpp, path: str, waiting: object) -> Program:
+        return _program(Path(path).read_text(encoding="utf-8"), path, page)
 
-    with TemporaryFolder() as folder, chdir(folder.path), patched([(sources, "load_cpp", lambda real: load_cpp)]):
+    with TemporaryFolder() as folder, chdir(folder.path), patched([(Cpp, "program", lambda real: program)]):
         for name, text in {**files, filename: source}.items():
             path = Path(name)
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -438,12 +439,12 @@ def _shown(result: Result, seconds: float, args: Sequence[str], pacer: _Pacer, p
     hints = [_hint(error) for error in errors]
     ended_early = result.status == 0 and pacer.simulation.now() < seconds * NS
     first = next(iter(result.host.processes), None)  # a launch file may start none
-    ros = ROSES.get(first.world.ros) if first else None
+    ros = ROS.get(first.world.ros) if first else None
     if first and first.node.source is not None and ros and ended_early and not result.ticks and first.world.has_sources:
         hints.append(f"The node had a timer, which was never called. Is {ros.spins} missing at its end?")
-    if ros and ros.sets and ros.sets not in args and any(_FOR_ROS.match(word) for word in args):
-        like = " ".join(ros.words("-p", ["frequency:=5.0"]))
-        hints.append(f"In ROS {ros.number}, what is for ROS follows {ros.sets}, as in: {like}")
+    if ros and ros.flag and ros.flag not in args and any(_FOR_ROS.match(word) for word in args):
+        like = " ".join(ros.settings("-p", ["frequency:=5.0"]))
+        hints.append(f"In ROS {ros.number}, what is for ROS follows {ros.flag}, as in: {like}")
     for hint in dict.fromkeys(filter(None, hints)):
         print(hint, file=sys.stderr)
     groups = by_source(result.ticks)
@@ -607,7 +608,7 @@ def _hint(error: BaseException) -> str:
 
 
 def _is_of_a_rate_that_nobody_wakes(error: KeyboardInterrupt) -> bool:
-    sleep = ROSES[2].stand_in.timer.Rate.sleep
+    sleep = ROS[2].rate.sleep
     for frame, _ in walk_tb(error.__traceback__):
         if frame.f_code is sleep.__code__:
             timer = frame.f_locals["self"]._timer

@@ -106,7 +106,7 @@ def pytest_exception_interact(call: pytest.CallInfo[None], report: pytest.Collec
     """Say what to do if a test, or its file, imports a ROS that is not installed."""
     error = call.excinfo and (call.excinfo.value.__cause__ or call.excinfo.value)
     if isinstance(error, ModuleNotFoundError) and error.name:
-        from .run.roses import is_of_a_ros
+        from .run.kinds import is_of_a_ros
 
         if is_of_a_ros(error.name):
             text = (

@@ -170,20 +170,20 @@ print(json.dumps([[run.console, [tick._asdict() for tick in run.ticks], run.stat
 """
 
 
-@pytest.mark.parametrize("roses", [(1,), (2,), (1, 1), (2, 2), (2, 1)])
-def test_the_same_nodes_give_the_same_bytes(tmp_path: Path, roses: tuple[int, ...]) -> None:
+@pytest.mark.parametrize("kinds", [(1,), (2,), (1, 1), (2, 2), (2, 1)])
+def test_the_same_nodes_give_the_same_bytes(tmp_path: Path, kinds: tuple[int, ...]) -> None:
     """Whatever ran before them in the process, and also where sets keep their elements in another order."""
     draw = random.Random(SEED)
     runs = []
-    for number in range(NODES // len(roses) ** 2):
-        runs.append([tmp_path / f"node{number}_{each}.py" for each in range(len(roses))])
-        for path, ros in zip(runs[-1], roses, strict=True):
+    for number in range(NODES // len(kinds) ** 2):
+        runs.append([tmp_path / f"node{number}_{each}.py" for each in range(len(kinds))])
+        for path, ros in zip(runs[-1], kinds, strict=True):
             path.write_text(_random_node(draw, ros))
     first, second = _run_all(runs, "1"), _run_all(runs[::-1], "2")
     for paths, one, other in zip(runs, first, second[::-1], strict=True):
         assert one == other, "\n".join(path.read_text() for path in paths)
     assert sum(len(run[1]) for run in first) > len(runs)  # ticks
-    assert len(roses) == 1 or sum("heard" in run[0] for run in first) > len(runs) / 4
+    assert len(kinds) == 1 or sum("heard" in run[0] for run in first) > len(runs) / 4
 
 
 def _run_all(runs: list[list[Path]], hash_seed: str) -> Any:

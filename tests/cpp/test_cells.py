@@ -12,7 +12,7 @@ from shells import ipython_shell
 from tree import ROOT
 
 from rosspin.cpp import CompileError
-from rosspin.run.source import is_cpp
+from rosspin.run.kinds import written_in
 from rosspin.site.checks import _line_of
 from rosspin.site.pages import CellLexer
 
@@ -78,8 +78,8 @@ def test_a_cell_may_include_what_lies_beside_the_notebook(
 
 
 def test_what_includes_a_header_of_ros_is_in_cpp() -> None:
-    assert is_cpp("\n// A node\n  #  include <rclcpp/rclcpp.hpp>\n") and is_cpp('#include "ros/node_handle.h"')
-    assert not is_cpp("# includes ros/ros.h\nimport rospy\n") and not is_cpp("#include <iostream>\n")
+    assert written_in("\n// A node\n  #  include <rclcpp/rclcpp.hpp>\n") and written_in('#include "ros/node_handle.h"')
+    assert not written_in("# includes ros/ros.h\nimport rospy\n") and not written_in("#include <iostream>\n")
 
 
 def test_a_cell_is_highlighted_in_its_language() -> None:

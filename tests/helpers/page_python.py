@@ -11,7 +11,7 @@ from typing import Any
 
 from rosspin.cpp import build
 from rosspin.cpp.building import node_command
-from rosspin.run.source import CPP
+from rosspin.run.kinds import language_of
 from rosspin.site.launched import launched
 
 _BESIDE = Path(__file__).parent / "beside_in_page.mjs"
@@ -88,7 +88,7 @@ def together_job(*nodes: Path) -> Message:
 
 def _programs(nodes: Iterable[Path]) -> dict[str, list[str]]:
     command = [*node_command(), "--experimental-wasm-jspi", str(_BESIDE)]
-    return {node.name: [*command, str(build(node).program)] for node in nodes if node.name.endswith(CPP)}
+    return {node.name: [*command, str(build(node).program)] for node in nodes if language_of(node.name)}
 
 
 def launch_job(launch: Path) -> Message:

@@ -14,7 +14,7 @@ from built_pages import parsed
 from notebook_nodes import IN_CPP, NODES
 from tree import ROOT
 
-from rosspin.run.source import is_cpp
+from rosspin.run.kinds import written_in
 
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "two-languages"}
@@ -39,16 +39,20 @@ def test_the_node_is_the_tutorials(name: str) -> None:
 def test_each_node_in_python_can_be_run_in_the_page(name: str) -> None:
     notebook = jupytext.read(ROOT / "notebooks" / f"{name}.md")
     nodes = [cell for cell in notebook.cells if cell.cell_type == "code" and cell.source.startswith("%%simulate")]
-    assert not [cell.source for cell in nodes if ("live" in cell.metadata.get("tags", [])) == is_cpp(cell.source)]
+    assert not [
+        cell.source
+        for cell in nodes
+        if ("live" in cell.metadata.get("tags", [])) == (written_in(cell.source) is not None)
+    ]
 
 
 @pytest.mark.parametrize("name", IN_CPP)
 def test_the_node_in_cpp_is_the_tutorials_and_drawn_beside_the_one_in_python(site: Path, name: str) -> None:
     node = (ROOT / "examples" / IN_CPP[name]).read_text(encoding="utf-8")
-    [cell] = [cell for cell in cells(name, "code") if is_cpp(cell)]
+    [cell] = [cell for cell in cells(name, "code") if written_in(cell)]
     assert cell.partition("\n")[2].strip() == node.strip()
     page = parsed(site / "notebooks" / f"{name}.html")
-    [listing] = [pre for pre in page.select("div.cell_input pre") if is_cpp(pre.get_text())]
+    [listing] = [pre for pre in page.select("div.cell_input pre") if written_in(pre.get_text())]
     assert listing.select("span.cpf") and listing.find("span", class_="kt", string="int")  # as C++
     block = listing.find_parent("div", class_="cell")
     assert block and "tag_live" not in (block["class"] or ()) and not block.select(".live")

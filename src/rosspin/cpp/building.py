@@ -196,8 +196,8 @@ def _read(path: Path, text: str | None) -> _Source:
         if found:
             own[name] = _text(found)
             left += [(each, found.parent) for each in headers.included(own[name])]
-    roses = {_ROOTS[root] for name in names if (root := name.partition("/")[0]) in _ROOTS}
-    return _Source(texts, own, names, roses.pop() if len(roses) == 1 else 0)
+    named = {_ROOTS[root] for name in names if (root := name.partition("/")[0]) in _ROOTS}
+    return _Source(texts, own, names, named.pop() if len(named) == 1 else 0)
 
 
 def _text(path: Path) -> str:

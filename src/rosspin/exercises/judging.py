@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import zip_longest
 from typing import Any
 
-from ..run.roses import ROSES
+from ..run.kinds import ROS
 from ..run.source import refuse_null_bytes
 from .feedback import Finding
 from .seen import Error, Seen, Value
@@ -105,11 +105,11 @@ class Answer:
 
     def hint_for_early_end(self) -> str:
         """Return a hint for a node that ended before its time; empty for any other."""
-        return _ENDS_EARLY.format(ROSES[self._ros].spins) if self._ended_early else ""
+        return _ENDS_EARLY.format(ROS[self._ros].spins) if self._ended_early else ""
 
     def _args(self, given: str) -> tuple[str, ...]:
         """Return the command line that gives a node of this ROS a parameter."""
-        return tuple(ROSES[self._ros].words("-p", [given])) if given else ()
+        return tuple(ROS[self._ros].settings("-p", [given])) if given else ()
 
     def _node(self, request: Request) -> Seen:
         tree = self._parse()
@@ -145,17 +145,18 @@ class Answer:
         return self._tree
 
     def _refuse_the_other_ros(self, imported: Collection[str]) -> None:
-        own, other = (ROSES[ros].roots[0] for ros in (self._ros, 3 - self._ros))
-        if other not in imported:
-            return
+        own = ROS[self._ros].roots[0]
         here = f"This exercise is on ROS {self._ros}, where a node imports `{own}`."
-        if own in imported:
-            raise Fails("The node imports both `rospy` (ROS 1) and `rclpy` (ROS 2). A node has one ROS.", here)
-        raise Fails(f"This node is for ROS {3 - self._ros}: it imports `{other}`.", here)
+        for ros in ROS.values():
+            other = ros.roots[0]
+            if other in imported and ros.number != self._ros:
+                if own in imported:
+                    raise Fails("The node imports both `rospy` (ROS 1) and `rclpy` (ROS 2). A node has one ROS.", here)
+                raise Fails(f"This node is for ROS {ros.number}: it imports `{other}`.", here)
 
     def _refuse(self, seen: Seen, args: Sequence[str], allowed: str) -> None:
         """End the check if something went wrong in a run."""
-        may_end = ROSES[self._ros].raises and seen.interrupted
+        may_end = ROS[self._ros].raises and seen.interrupted
 
         def is_well(error: Error) -> bool:
             return bool(allowed and allowed in error.said) or (may_end and error.ending)
@@ -242,7 +243,7 @@ def say_kept(seen: Seen, ros: int) -> str:
     """Say what kept a node from ending before it was killed, as the rest of a sentence."""
     if seen.kept_by_rate:
         return "one of its threads was still asleep in a Rate's `sleep()`."
-    asks = f"Does its loop ask `{ROSES[ros].goes_on}`?"
+    asks = f"Does its loop ask `{ROS[ros].words.asks}`?"
     return f"it was still in line {seen.kept_at.line}, `{plain(seen.kept_at.call)}`. {asks}" if seen.kept_at else asks
 
 

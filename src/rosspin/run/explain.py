@@ -12,8 +12,8 @@ from ..clocks.installed import is_installed_file
 from ..clocks.simulation import Simulation, Standstill
 from ..clocks.watchdog import Stuck
 from ..world.world import NotSimulated
-from .roses import ROSES
-from .source import CPP, Code
+from .kinds import ROS, words_in
+from .source import Code
 
 __all__ = [
     "TimeStandsStill",
@@ -32,15 +32,15 @@ class TimeStandsStill(RuntimeError):
 
 
 def say_killed(node: Code, ros: int, seconds: float | None, waited: Sequence[Whereabouts], patience: float) -> str:
-    """Say why a node of ROS 1 or 2 was killed ``patience`` seconds after Ctrl-C, and where its threads were."""
+    """Say why a node of a ROS was killed ``patience`` seconds after Ctrl-C, and where its threads were."""
     at = "" if seconds is None else f" at {seconds:.10g} s"
-    why = f"Does its loop check {ROSES[ros].goes_on_cpp if node.filename.endswith(CPP) else ROSES[ros].goes_on}?"
+    why = f"Does its loop check {words_in(node.filename, ros).asks}?"
     if waits_for_a_rate(node, ros, waited):
         why = (
             "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep in it. "
             "Use a Rate only in a daemon thread."
         )
-    said = f"rosspin: Ctrl-C{at} did not end the node; it was killed {patience:g} s later{ROSES[ros].kills}. {why}\n"
+    said = f"rosspin: Ctrl-C{at} did not end the node; it was killed {patience:g} s later{ROS[ros].killed_as}. {why}\n"
     return said + say_where(node, waited)
 
 
@@ -55,12 +55,9 @@ def say_where(node: Code, waited: Sequence[Whereabouts]) -> str:
 
 
 def waits_for_a_rate(node: Code, ros: int, waited: Sequence[Whereabouts]) -> bool:
-    """Whether nothing but threads asleep on a Rate of ROS 2 keeps a node from its end.
-
-    In ROS 1 a Rate looks at the clock by itself.
-    """
+    """Whether nothing but threads asleep on a Rate that nothing wakes keeps a node from its end."""
     kept = _keeping(node, waited)
-    return ros == 2 and bool(kept) and all(map(ROSES[2].stand_in.timer.is_asleep_on_a_rate, kept))
+    return bool(kept) and all(map(ROS[ros].is_asleep_on_a_rate, kept))
 
 
 def keep_those_of(node: Code, stacks: Sequence[Whereabouts]) -> list[Whereabouts]:
@@ -90,7 +87,7 @@ def stands_still(nodes: Sequence[Code], ros: int, error: Standstill | Stuck, clo
     fallback = clock.failed if isinstance(error, Stuck) else error.place
     place = _of_nodes(nodes, error.places) or (None if fallback else _of_nodes(nodes, clock.left))
     where = (f"{place.filename}:{place.line}" if place.line else place.filename) if place else fallback
-    sleep = ROSES[ros].sleep_cpp if place and place.filename.endswith(CPP) else ROSES[ros].sleep
+    sleep = words_in(place.filename if place else "", ros).sleeps
     if isinstance(error, Stuck) and (error.waits or error.computed):
         where = place.shown() if place else fallback
         why = (
@@ -103,7 +100,7 @@ def stands_still(nodes: Sequence[Code], ros: int, error: Standstill | Stuck, clo
     elif isinstance(error, Standstill) and error.threads:
         why = (
             f"because {error.threads:,} threads have not ended, as many as a run may have; this would have been one "
-            f"more{ROSES[ros].also_threads}. Start them outside of loops and callbacks, or end them."
+            f"more{ROS[ros].also_threads}. Start them outside of loops and callbacks, or end them."
         )
     else:
         why = (

@@ -31,8 +31,8 @@ from ..world.world import World
 from .deadlock import explain_threads
 from .explain import keep_those_of, say_killed, stands_still
 from .kept import KEPT, collect_rarely, one_at_a_time, state_of_names, state_of_node, state_of_process
+from .kinds import ROS
 from .process import PATCHES, Process, Slots
-from .roses import ROSES
 from .source import Code
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ __all__ = ["Host", "Result", "Supervisor", "duration", "kept", "replaced"]
 _FINE = (None, 0, 128 + signal.SIGINT, -signal.SIGINT)
 
 # How the names of modules begin that may belong to a real ROS.
-_ROOTS = tuple(root for ros in ROSES.values() for root in (*ros.roots, *ros.beside))
+_ROOTS = tuple(root for ros in ROS.values() for root in (*ros.roots, *ros.beside))
 
 _chdir = os.chdir
 
@@ -132,7 +132,7 @@ class Host:
         self._differ = self._differ or bool(environment)
         process.world.at_end.append(lambda: self._of.__delitem__(process.world))
         process.world.at_bind.append(lambda: self._bound(process))
-        for ros in [node.hint] if node.hint else ROSES:  # before the node can change anything
+        for ros in [node.hint] if node.hint else ROS:  # before the node can change anything
             self._stand_in(ros)
         self._go_on(here if self.recording.several else process)
         return process
@@ -148,7 +148,7 @@ class Host:
             self._go_on(here)
 
     def graph(self, ros: int) -> Graph:
-        """Return the graph of the nodes of ROS 1 or 2."""
+        """Return the graph of the nodes of a ROS."""
         if ros not in self._graphs:
             graph = self._graphs[ros] = Graph()
             graph.faults = self.faults
@@ -158,7 +158,7 @@ class Host:
 
     def _stand_in(self, ros: int, package: str = "") -> Mapping[str, ModuleType]:
         """Return the modules that stand in for a ROS, or for a package next to it, by their names."""
-        home = ROSES[ros].home(package)
+        home = ROS[ros].home(package)
         if home not in self._stand_ins:
             known = home in sys.modules
             self._stand_ins[home] = dict(import_module(home).MODULES)
@@ -169,7 +169,7 @@ class Host:
     def _bound(self, process: Process) -> None:
         """Give a process what belongs to the ROS that it has imported."""
         self._stand_in(process.world.ros)
-        process.world.at_exit += ROSES[process.world.ros].stand_in.AT_EXIT
+        process.world.at_exit += ROS[process.world.ros].stand_in.AT_EXIT
 
     def begin(self, process: Process) -> None:
         """Start a process now, for the supervisor. If a signal kills it, its exit status is the negative number."""
@@ -317,15 +317,15 @@ class Host:
         return simulated
 
     def _before_ctrl_c(self) -> None:
-        """Note what has failed so far, and say what waits forever: threads, and the callbacks of ROS 2."""
+        """Note what has failed so far, and say what waits forever: threads, and callbacks."""
         self._failed = self._errors()
         clock = self.clock
         assert isinstance(clock, Simulation)
         if self.recording.log is not None:
             self.recording.log.look_ahead(lambda: {stack.ident: stack.trail for stack in clock.suspended()})
         said = explain_threads(clock, self.recording.tell)
-        if graph := self._graphs.get(2):
-            said += ROSES[2].stand_in.explain_waits(graph, self.recording.tell)
+        for ros, graph in sorted(self._graphs.items()):
+            said += ROS[ros].explain_waits(graph, self.recording.tell)
         if said:
             self.waits = said
             sys.stderr.write(said)

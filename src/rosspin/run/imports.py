@@ -13,7 +13,7 @@ from weakref import WeakKeyDictionary
 
 from ..messages import MessageFinder
 from ..world.world import World
-from .roses import ROSES, ros_of
+from .kinds import ROS, ros_of
 from .source import Code, folder_of, is_own, names_a_ros, own_folders
 
 __all__ = ["Imports"]
@@ -64,7 +64,7 @@ class Imports(MetaPathFinder):
         if fullname.startswith("rosspin."):
             return None
         number = self._world.ros or self._node.hint or _named_by_who_asks(sys._getframe(1)) or 1
-        if fullname.partition(".")[0] in ROSES[number].beside:
+        if fullname.partition(".")[0] in ROS[number].beside:
             # Some have messages, too: actionlib.msg
             return self._find_ros(fullname, number) or self._finder_of(number).find_spec(fullname, path, target)
         return self._finder_of(number).find_spec(fullname, path, target) or self._find_own(fullname, path)
@@ -81,7 +81,9 @@ class Imports(MetaPathFinder):
 
     def _find_ros(self, fullname: str, ros: int) -> ModuleSpec | None:
         if self._finder.library.ros != ros and self._finder.found:
-            raise ImportError(f"messages of ROS {3 - ros} were imported before {fullname}", name=fullname)
+            raise ImportError(
+                f"messages of ROS {self._finder.library.ros} were imported before {fullname}", name=fullname
+            )
         self._world.bind(ros)
         modules = self._stand_in(ros, fullname.partition(".")[0])
         if fullname in modules:
@@ -93,8 +95,8 @@ class Imports(MetaPathFinder):
         return None
 
     def _module(self, ros: int, name: str, modules: Mapping[str, ModuleType]) -> ModuleType:
-        if name == ROSES[ros].roots[0]:
-            return ROSES[ros].stand_in.for_process()  # type: ignore[no-any-return]
+        if name == ROS[ros].roots[0]:
+            return ROS[ros].stand_in.for_process()  # type: ignore[no-any-return]
         module = modules[name]
         _NAMES.setdefault(module, name)
         module.__class__ = _StandIn
@@ -103,7 +105,7 @@ class Imports(MetaPathFinder):
     def _bring(self, ros: int, fullname: str) -> None:
         """Import what a module of a ROS imports itself."""
         modules = self._stand_in(ros, "")
-        for name in ROSES[ros].stand_in.brought_by(fullname):
+        for name in ROS[ros].stand_in.brought_by(fullname):
             module = sys.modules.get(name) or sys.modules.setdefault(name, self._module(ros, name, modules))
             parent, _, child = name.rpartition(".")
             if parent in sys.modules:
@@ -151,7 +153,7 @@ class _Given(Loader):
 
 
 def _named_by_who_asks(frame: FrameType | None) -> int:
-    """Return the ROS that the importing code names: 1, 2, or 0."""
+    """Return the number of the ROS that the importing code names, or 0."""
     while frame and frame.f_code.co_filename.startswith("<frozen importlib"):
         frame = frame.f_back
     return names_a_ros(frame.f_code) if frame else 0

@@ -31,7 +31,7 @@ from ..clocks.threads import begin_main, end_main
 from ..world.world import NotSimulated, World, not_simulated
 from .imports import Imports
 from .kept import working_folder
-from .roses import ROSES
+from .kinds import ROS
 from .source import Code, around_package, is_own, neighbour, own_folders
 
 __all__ = ["PATCHES", "Process", "Slots", "leave", "starter"]
@@ -142,7 +142,7 @@ class Process(Slots):
 
         They are its own, too: in the next run the same names would mean other objects. So is all of their package.
         """
-        roots = {name.partition(".")[0] for name in own} | self.imports.found | set(ROSES[self.world.ros or 1].roots)
+        roots = {name.partition(".")[0] for name in own} | self.imports.found | set(ROS[self.world.ros or 1].roots)
         left = {name for name in names if name.partition(".")[0] not in _COMMON}
         count = -1
         while count != len(roots):
@@ -157,7 +157,7 @@ class Process(Slots):
         def give() -> None:
             try:
                 with acting_for(self.world):
-                    ROSES[self.world.ros].tester.give_parameters(self.world, parameters)
+                    ROS[self.world.ros].tester.give_parameters(self.world, parameters)
             except Exception as error:
                 self.world.failure = error
                 end_run()
@@ -186,7 +186,7 @@ class Process(Slots):
     @property
     def raises_at_ctrl_c(self) -> bool:
         """Whether Ctrl-C raises KeyboardInterrupt in its node, as in ROS 2. If that ends it, it has not failed."""
-        return bool(self.world.ros) and ROSES[self.world.ros].raises
+        return bool(self.world.ros) and ROS[self.world.ros].raises
 
     def fails_with(self, status: int, interrupted: bool) -> bool:
         """Whether an exit status means failure. In ROS 2, most nodes end with 130 when they are ``interrupted``."""

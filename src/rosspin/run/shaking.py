@@ -19,6 +19,7 @@ from typing import Any
 
 from ..clocks.explored import ExploredSimulation, Turn, name_of
 from ..clocks.stacks import Stack, current
+from .kinds import ROS
 from .source import Code, program
 
 __all__ = ["shaken"]
@@ -40,7 +41,7 @@ def shaken(node: Code) -> Code:
     """
     if node.source is None:
         raise ValueError(f"{node.name}: deep is for node files; a function cannot be shaken")
-    everywhere = node.hint == 1
+    everywhere = bool(node.hint) and ROS[node.hint].timers_are_threads
     loader = partial(_Loader, everywhere)
     if node.is_entry_point:
         return node._replace(loader=loader)

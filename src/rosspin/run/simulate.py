@@ -14,6 +14,7 @@ from ..clocks.simulation import Simulation
 from ..results.ticks import Run
 from ..world.graph import TickLog
 from .host import Host, Result, Supervisor, duration
+from .kinds import ROS
 from .ros2launch.launch_file import LaunchFile
 from .roslaunch import launch
 from .roslaunch.monitor import Monitor
@@ -232,7 +233,7 @@ def run_nodes(
 
 
 def supervisor(nodes: Launched, host: Host, codes: Sequence[Code] | None = None) -> Supervisor:
-    """Make the supervisor of nodes: roslaunch, ros2 launch, or one that treats nodes of ROS 2 as in terminals."""
+    """Make the supervisor of nodes: roslaunch, ros2 launch, or one that treats nodes as in terminals."""
     if isinstance(nodes, LaunchFile):
         from .ros2launch.service import LaunchService  # only needed where there is such a file
 
@@ -241,6 +242,6 @@ def supervisor(nodes: Launched, host: Host, codes: Sequence[Code] | None = None)
     for line in nodes.left_out:
         sys.stderr.write(f"rosspin: {line}\n")
     warn_of_files(codes)
-    if any(code.hint == 2 for code in codes):
+    if any(code.hint and ROS[code.hint].in_terminals for code in codes):
         return Together(host, nodes.nodes, codes)
     return Monitor(host, nodes, codes)

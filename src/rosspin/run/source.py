@@ -25,15 +25,15 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.installed import is_installed_file
 from .kept import working_folder
-from .roses import ROSES, ros_of
+from .kinds import ROS, language_of, ros_of, written_in
 
 if TYPE_CHECKING:
-    from ..programs import Program
+    from .kinds.language import Program
 
 __all__ = [
-    *("CPP", "Code", "NodeLike", "around_package", "code_of_program", "folder_of", "load", "load_cell"),
-    *("load_cpp", "load_entry_point", "load_source"),
-    *("compiled", "is_cpp", "is_launch_of_ros2", "is_own", "names_a_ros", "own_folders", "read", "refuse_null_bytes"),
+    *("Code", "NodeLike", "around_package", "code_of_program", "folder_of", "load", "load_cell"),
+    *("load_entry_point", "load_source"),
+    *("compiled", "is_launch_of_ros2", "is_own", "names_a_ros", "own_folders", "read", "refuse_null_bytes"),
     *("refuse_other_ros", "refuse_text", "program", "split_words", "warn_of_files", "words_of"),
 ]
 
@@ -46,7 +46,7 @@ class Code(NamedTuple):
     filename: str
     folder: str | None  # of the node file: its neighbours can be imported
     source: str | None = None  # the text that it was made from, if any
-    hint: int = 0  # 1 or 2: the ROS that its code seems to name, or 0; what it imports decides
+    hint: int = 0  # the number of the ROS that its code seems to name, or 0; what it imports decides
     loader: Callable[[str, str], Loader] | None = None  # of a module next to it, by name and path, if not Python's own
     is_entry_point: bool = False  # whether the file is imported as a module, whose function is then called
 
@@ -56,16 +56,13 @@ class Code(NamedTuple):
         return os.path.basename(self.argv0).removesuffix(".py")
 
 
-# How the names of C++ nodes end.
-CPP = (".cpp", ".cc", ".cxx")
-
 NodeLike = str | os.PathLike[str] | Callable[[], Any]
 
 
 def load(node: NodeLike, waiting: Callable[[], object] = lambda: None) -> Code:
     """Make a node of a file, a function, or the name of a function, as in ``package.module:main``.
 
-    ``waiting()`` is called again and again while a node in C++ is compiled.
+    ``waiting()`` is called again and again while a node is compiled.
 
     Raises OSError if it cannot be read, SyntaxError if it is not Python, ValueError for several nodes or a launch file,
     TypeError for anything else.
@@ -83,35 +80,21 @@ def load(node: NodeLike, waiting: Callable[[], object] = lambda: None) -> Code:
         raise ValueError("several nodes and launch files run in simulated time (rosspin.simulate) or on a real ROS")
     if not isinstance(node, (str, os.PathLike)):
         raise TypeError(f"a node is the path of a file, or a function, not {node!r}")
-    if path.endswith(CPP):
-        return load_cpp(path, waiting)
+    if language := language_of(path):
+        return code_of_program(language.program(path, waiting))
     if not os.path.exists(path) and _ENTRY.fullmatch(entry := path if ":" in path else _console_script(path)):
         return load_entry_point(entry)
     return load_source(read(path), path)
 
 
 def load_cell(text: str, name: str) -> Code:
-    """Load a node from the text of a cell, in Python or C++. Raises SyntaxError, or ValueError for C++, if it is none.
+    """Load a node from the text of a cell. Raises SyntaxError, or for another language than Python ValueError.
 
     In C++, it may include headers and messages as a file in the working directory could.
     """
-    return load_cpp(name, lambda: None, text) if is_cpp(text) else load_source(text, name)
-
-
-def is_cpp(text: str) -> bool:
-    """Whether a text is a node in C++: it includes a header of a ROS."""
-    return bool(_INCLUDE.search(text))
-
-
-_INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"](ros|rclcpp|rclcpp_components)/', re.MULTILINE)
-
-
-def load_cpp(path: str, waiting: Callable[[], object], text: str | None = None) -> Code:
-    """Compile a node in C++, from a text if one is given."""
-    from ..cpp import build  # most runs go without
-    from ..cpp import program as made
-
-    return code_of_program(made(build(path, waiting, text), path))
+    if language := written_in(text):
+        return code_of_program(language.program(name, lambda: None, text))
+    return load_source(text, name)
 
 
 def code_of_program(program: Program) -> Code:
@@ -228,10 +211,10 @@ def is_launch_of_ros2(path: str) -> bool:
 
 
 def refuse_other_ros(path: str, ros: int) -> None:
-    """Raise ValueError if a node file is for the other ROS. The run will show anything else that is wrong with it."""
+    """Raise ValueError if a node file is for another ROS. The run will show anything else that is wrong with it."""
     with suppress(SyntaxError):
-        if load_source(read(path), path).hint == 3 - ros:
-            raise ValueError(f"{path}: this is a node of ROS {3 - ros}: --ros{3 - ros}")
+        if (its := load_source(read(path), path).hint) not in (0, ros):
+            raise ValueError(f"{path}: this is a node of ROS {its}: --ros{its}")
 
 
 def refuse_null_bytes(source: str, filename: str) -> None:
@@ -264,7 +247,7 @@ def _in_the_way(node: Code) -> Iterator[str]:
         return
     for entry in sorted(os.listdir(node.folder)):
         name = entry.removesuffix(".py")
-        if node.hint and (name in ROSES[node.hint].needed or (name.endswith("_msgs") and name in _imports(node))):
+        if node.hint and (name in ROS[node.hint].needed or (name.endswith("_msgs") and name in _imports(node))):
             whose = f"ROS {node.hint}'s"
         elif name in sys.stdlib_module_names and not any(map(_finds(name), (BuiltinImporter, FrozenImporter))):
             whose = "Python's"
@@ -290,13 +273,13 @@ def _imports(node: Code) -> set[str]:
 
 
 def _hint(codes: Sequence[CodeType], folder: str | None) -> int:
-    """Return the ROS that code names, else the one that the neighbours it imports name; 0 if it is none, or both."""
+    """Return the ROS that code names, else the one that the neighbours it imports name; 0 if it is none, or several."""
     seen: set[str] = set()
     while codes:
         names = {name for code in codes for name in _names(code)}
-        roses = {ros.number for name in names if (ros := ros_of(name))}
-        if roses or folder is None:
-            return roses.pop() if len(roses) == 1 else 0
+        named = {ros.number for name in names if (ros := ros_of(name))}
+        if named or folder is None:
+            return named.pop() if len(named) == 1 else 0
         paths = {path for name in names - seen if (path := neighbour(folder, name))}
         seen |= names
         codes = list(_compiled(sorted(paths)))
@@ -310,7 +293,7 @@ def _compiled(paths: Sequence[str]) -> Iterator[CodeType]:
 
 
 def names_a_ros(code: CodeType) -> int:
-    """Return the ROS that code names by itself, whatever it imports; 0 if it names none, or both."""
+    """Return the ROS that code names by itself, whatever it imports; 0 if it names none, or several."""
     return _hint([code], None)
 
 

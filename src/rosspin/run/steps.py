@@ -18,9 +18,9 @@ from ..results.ticks import Message, Run
 from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
 from .host import Host, duration
+from .kinds import ROS
 from .process import Process
 from .ros2launch.launch_file import LaunchFile
-from .roses import ROSES
 from .roslaunch.launch import Node
 from .simulate import prepare, supervisor, with_jitter
 from .source import NodeLike, refuse_text, warn_of_files
@@ -135,7 +135,7 @@ class StartedNode:
         """Join the graph of a ROS, as another node, when a node has used it for the first time."""
         world = World(self._clock, [], Recording(self._clock, None), lambda ros: graph)
         world.bind(ros)
-        graph.tester = self._testers[ros] = ROSES[ros].tester.Tester(world, _Messages(self._host, ros), self._fail)
+        graph.tester = self._testers[ros] = ROS[ros].tester.Tester(world, _Messages(self._host, ros), self._fail)
 
     def _fail(self, error: Exception) -> None:
         """End the run with an error that is the test's, not the node's."""

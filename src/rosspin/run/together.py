@@ -14,8 +14,8 @@ from ..clocks.programs import press_ctrl_c, where_it_waits
 from ..clocks.simulation import Simulation
 from .explain import say_killed
 from .host import Host
+from .kinds import ROS
 from .process import Process
-from .roses import ROSES
 from .roslaunch.launch import Node
 from .source import Code
 from .streams import nowhere
@@ -99,7 +99,7 @@ class Together:
 
 def give_names(process: Process, node: Node) -> None:
     """Add the node's name and namespace to its command line, as its ROS takes them there."""
-    ros = ROSES[process.world.ros]
-    names = {ros.naming: node.name, "__ns": node.namespace.rstrip("/")}
+    ros = ROS[process.world.ros]
+    names = {ros.name_key: node.name, "__ns": node.namespace.rstrip("/")}
     if given := [f"{key}:={value}" for key, value in names.items() if value]:
-        process.world.argv += ros.words("-r", given)
+        process.world.argv += ros.settings("-r", given)

@@ -12,7 +12,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.typing import ExtensionMetadata
 
 from ..cpp import build_together
-from ..run.source import CPP, is_cpp
+from ..run.kinds import language_of, written_in
 from .vehicle import NODES
 
 __all__ = ["setup"]
@@ -48,9 +48,9 @@ def _nodes(page: str, root: Path) -> Iterator[tuple[str, str | None]]:
 
     A launch file is no node, but may start one.
     """
-    shown = [file for file, _ in NODES.values() if ".. vehicle::" in page and file.endswith(CPP)]
+    shown = [file for file, _ in NODES.values() if ".. vehicle::" in page and language_of(file)]
     for file in dict.fromkeys([*_FILE.findall(page), *_LIVE.findall(page), *shown]):
         yield str(root / file), None
     for text in _CELL.findall(page):
-        if is_cpp(text):
+        if written_in(text):
             yield str(root / "notebooks" / "cell"), f"\n{text}"

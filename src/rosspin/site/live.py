@@ -31,8 +31,9 @@ from ..measures import lost_by_source
 from ..plots import picture
 from ..plots.pictures import page
 from ..run.explain import TimeStandsStill
+from ..run.kinds import language_of
 from ..run.simulate import run_node
-from ..run.source import CPP, load, load_source, split_words
+from ..run.source import load, load_source, split_words
 from ..run.streams import capture
 from ..world.graph import TickLog
 from ..world.world import NotSimulated
@@ -131,7 +132,7 @@ def _publish(file: Path, folder: Path) -> list[str]:
 def _publish_launch(file: Path, folder: Path) -> list[str]:
     """Put what a launch file starts into a folder, and return the classes that name it."""
     path, names, around = launched(file)
-    programs = {name: _publish(around / name, folder)[0] for name in names if name.endswith(CPP)}
+    programs = {name: _publish(around / name, folder)[0] for name in names if language_of(name)}
     needs = {name: program.removeprefix("program-") for name, program in programs.items()}
     files = {name: (around / name).read_text(encoding="utf-8") for name in names}
     data = json.dumps({"path": path, "files": files, "programs": needs}).encode()

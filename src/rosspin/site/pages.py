@@ -40,8 +40,9 @@ from ..plots.pictures import figure_of, new_axes, page
 from ..results import machine
 from ..results.ticks import Run, Tick
 from ..run.host import kept, replaced
+from ..run.kinds import written_in
 from ..run.simulate import run_captured
-from ..run.source import is_cpp, load, load_source
+from ..run.source import load, load_source
 from . import scenes
 from .claims import Facts, one_line
 from .notes import note
@@ -194,7 +195,8 @@ class TicksDirective(SphinxDirective):
         file = Path(self._file(next(iter(self._commands().values()))[0]))
         text = textwrap.dedent("\n".join(file.read_text(encoding="utf-8").splitlines()[first - 1 : last]))
         yield nodes.raw("", '<div class="rosspin-beside">', format="html")
-        yield nodes.literal_block(text, text, language="cpp" if is_cpp(text) else "python")
+        language = written_in(text)
+        yield nodes.literal_block(text, text, language=language.name if language else "python")
         yield drawn
         yield nodes.raw("", "</div>", format="html")
 
@@ -509,7 +511,7 @@ class CellLexer(PythonLexer):
     def get_tokens_unprocessed(self, text: str, stack: Iterable[str] = ("root",)) -> Iterator[tuple[int, Any, str]]:
         """Yield where each token is, its kind and its text."""
         first, newline, rest = text.partition("\n")
-        is_other = first.startswith("%%") and is_cpp(rest)
+        is_other = first.startswith("%%") and written_in(rest)
         yield from super().get_tokens_unprocessed(first + newline if is_other else text, stack)
         if is_other:
             for at, kind, token in CppLexer().get_tokens_unprocessed(rest):  # type: ignore[no-untyped-call]

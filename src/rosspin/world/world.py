@@ -50,7 +50,7 @@ def not_simulated(error: BaseException) -> NotSimulated | None:
     world = whose()
     ros = world.ros if isinstance(world, World) else 0
     lacking = (
-        any(root in PACKAGES[each] for each in ([ros] if ros else PACKAGES))
+        any(root in PACKAGES.get(each, ()) for each in ([ros] if ros else PACKAGES))
         or root.endswith(("_msgs", "_srvs", "_interfaces"))
         or rest.startswith("srv")
         or rest.partition(".")[0] in getattr(sys.modules.get(root), "NOT_SIMULATED", ())

@@ -18,7 +18,7 @@ const SEGMENTATION_FAULT = 128 + 11
 
 const TICK = 32 // bytes: see shared.mjs
 
-/** What each ROS says of a node that was killed: see run/roses.py. */
+/** What each ROS says of a node that was killed: see run/kinds. */
 const KILLS = { 1: " s later, as roslaunch does. Does its loop check ros::ok()?", 2: " s later. Does its loop check rclcpp::ok()?" }
 
 /** What ends a run from outside. */

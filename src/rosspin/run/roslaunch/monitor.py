@@ -21,6 +21,7 @@ from ...rospy.state import Master
 from ...world.world import World
 from ..explain import say_where
 from ..host import Host
+from ..kinds import ROS
 from ..process import Process
 from ..source import Code
 from ..streams import nowhere
@@ -61,7 +62,8 @@ class _Member:
 class Monitor:
     """Runs the nodes of a launch file, whose code is ``codes``, in a host.
 
-    Most nodes whose code does not name their ROS import it at time 0. If that is ROS 2, :class:`Together` continues.
+    Most nodes whose code does not name their ROS import it at time 0. If its nodes run in terminals, :class:`Together`
+    continues.
     """
 
     status = 0  # whatever becomes of the nodes of ROS 1
@@ -88,7 +90,7 @@ class Monitor:
                 self._start(member)
             if not all(member.code.hint for member in self._members):
                 self._clock.sleep(0)
-                if any(member.world.ros == 2 for member in self._members):
+                if any(_in_terminals(member.world) for member in self._members):
                     self._hand_over()
                     return
                 self._clock.sleep(_LOOK)  # its first look comes before the nodes do anything
@@ -109,7 +111,7 @@ class Monitor:
         environment = {**node.env, **({"ROS_NAMESPACE": namespace} if namespace else {})}
         stdout = None if node.output == "screen" else nowhere()
         process = member.process = self._host.add(member.code, member.args, environment, node.cwd, stdout)
-        process.world.at_bind.append(lambda: _name_in_ros2(process, node))
+        process.world.at_bind.append(lambda: _rename(process, node))
         process.give_parameters(node.parameters)
         self._host.begin(process)
 
@@ -186,8 +188,12 @@ class Monitor:
         self._stderr.write(f"\033[31m{text}\033[0m\n" if self._stderr.isatty() else text + "\n")
 
 
-def _name_in_ros2(process: Process, node: Node) -> None:
-    """Give a process its names in the words of ROS 2, if that is its ROS."""
-    if process.world.ros == 2:
+def _in_terminals(world: World) -> bool:
+    return world.ros != 0 and ROS[world.ros].in_terminals
+
+
+def _rename(process: Process, node: Node) -> None:
+    """Give a process its names in the words of its ROS, if that is not roslaunch's."""
+    if _in_terminals(process.world):
         process.world.argv[1:] = node.args
         give_names(process, node)
