@@ -18,7 +18,7 @@ from seeds import SEED
 from settle import settle
 from shares import SHARE
 from simulated_only import simulated_only
-from surroundings import clean
+from surroundings import clean, heed_ctrl_c
 from tree import DOCTREES, ROOT, SITE, TESTS
 
 from rosspin.clocks.ctrl_c import Ending
@@ -31,6 +31,7 @@ _took: defaultdict[str, float] = defaultdict(float)
 pytest_plugins = ["quiet_lane"]
 
 clean(os.environ)
+heed_ctrl_c()
 
 
 def pytest_report_header() -> str:

@@ -22,8 +22,10 @@ from rosspin import simulate
 # ended.
 RUN_JOBS = """async ([address, name]) => {
     const { Sandbox } = await import(address)
+    window[`end ${name}`]?.()
     const sandbox = new Sandbox()
     await sandbox.started
+    window[`end ${name}`] = () => sandbox.end()
     window[name] = job => new Promise(resolve => {
         let console = ""
         sandbox.do({ kind: "run", ...job }, message => {
@@ -70,19 +72,26 @@ class Sandbox:
 
     def _begin(self) -> None:
         self._evaluate(RUN_JOBS, [f"{self._address}_static/live/runs.js", self._name])
-        self.run(PRELUDE.format(files=self._files), "prelude.py", 1, ())
+        console, result = self._do(PRELUDE.format(files=self._files), "prelude.py", 1, (), ())
+        assert result is not None, console
 
     def run(
         self, source: str, name: str, seconds: float, args: Sequence[str], beside: Sequence[Beside] = ()
     ) -> tuple[str, dict[str, Any]]:
         """The console and the result of a text that is run as a node, maybe with others."""
-        others = [[text, file, shlex.join(words)] for text, file, words in beside]
-        node = {"source": source, "filename": name, "args": shlex.join(args)}
-        job = node | {"seconds": seconds, "speed": 0, "beside": others}
-        console, result = self._evaluate("([name, job]) => window[name](job)", [self._name, job])
+        console, result = self._do(source, name, seconds, args, beside)
         if result is None:  # Python broke down; the next run needs another
             self._begin()
         return console, result or {}
+
+    def _do(
+        self, source: str, name: str, seconds: float, args: Sequence[str], beside: Sequence[Beside]
+    ) -> tuple[str, dict[str, Any] | None]:
+        others = [[text, file, shlex.join(words)] for text, file, words in beside]
+        node = {"source": source, "filename": name, "args": shlex.join(args)}
+        job = node | {"seconds": seconds, "speed": 0, "beside": others, "programs": [], "files": {}}
+        console, result = self._evaluate("([name, job]) => window[name](job)", [self._name, job])
+        return console, result
 
     def differences(self, scenario: Scenario) -> list[str]:
         """What a scenario gives there otherwise than here: text, status, ticks."""

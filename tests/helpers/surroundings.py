@@ -1,8 +1,9 @@
-"""The environment of the tests where pytest is started by hand: what make does about it is read from the Makefile."""
+"""What the tests find around them, however pytest was started: what make does about it is read from the Makefile."""
 
 from __future__ import annotations
 
 import re
+import signal
 import sys
 import time
 from collections.abc import MutableMapping
@@ -12,6 +13,12 @@ from tree import ROOT
 
 # pytest's own, and those of which a Python that has started has already made what it will.
 _BY_HAND = ["PYTEST_%", "PYTHONPATH", "PYTHONHASHSEED"]
+
+
+def heed_ctrl_c() -> None:
+    """A shell that starts something in the background has it, and all that it starts, ignore Ctrl-C."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def clean(environment: MutableMapping[str, str]) -> None:

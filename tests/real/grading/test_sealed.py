@@ -203,7 +203,7 @@ LESSON = """
 from rosspin.exercises import Finding
 TITLE, NODE, HINTS, RIGHT, WRONG = "A beat", "import rclpy", [], ["x = 1"], []
 def check(answer):
-    yield Finding(bool(answer.run(1.0)), "It runs.")
+    yield Finding(bool(answer.ending(1.0)), "It runs.")
 """
 
 

@@ -127,7 +127,8 @@ RUN_TEXT = """async (address, source, longest) => {
     let text = ""
     await new Promise(resolve => {
         if (longest) setTimeout(resolve, longest)
-        const job = { kind: "run", source, filename: "node.py", seconds: 1, args: "", speed: 0, beside: [] }
+        const job = { kind: "run", source, filename: "node.py", seconds: 1, args: "", speed: 0, beside: [],
+            programs: [], files: {} }
         sandbox.do(job, message => {
             if (message.kind === "batch") text += message.chunks.map(([, text]) => text).join("")
             if (message.kind === "failed") text += message.reason
