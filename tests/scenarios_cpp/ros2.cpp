@@ -732,6 +732,90 @@ std::map<std::string, Scenario> scenarios()
     rclcpp::spin(node);
     say(context->shutdown_reason() + shown(rclcpp::ok()) + shown(rclcpp::ok(context)));
   };
+  all["wait_set"] = [](const Shared& node)
+  {
+    auto heard = node->create_subscription<String>("to", 10, [](const String&) { say("never"); });
+    auto publisher = node->create_publisher<String>("to", 10);
+    auto guard = std::make_shared<rclcpp::GuardCondition>();
+    auto timer = node->create_wall_timer(1s, [&] { publisher->publish(String().set__data("hello")); });
+    rclcpp::WaitSet set({{heard}}, {guard}, {timer});
+    auto wait = [&](std::chrono::milliseconds timeout)
+    {
+      auto result = set.wait(timeout);
+      if (result.kind() != rclcpp::WaitResultKind::Ready)
+        return say(result.kind() == rclcpp::WaitResultKind::Timeout ? "timeout" : "empty");
+      const rcl_wait_set_t& ready = result.get_wait_set().get_rcl_wait_set();
+      String message;
+      rclcpp::MessageInfo info;
+      if (ready.guard_conditions[0])
+        say("guard");
+      if (ready.timers[0])
+        timer->execute_callback(timer->call());
+      if (ready.subscriptions[0] && heard->take(message, info))
+        say(message.data);
+    };
+    wait(600ms);
+    guard->trigger();
+    wait(600ms);
+    wait(600ms);
+    wait(0ms);
+    timer->cancel();
+    say(shown(timer->call() == nullptr));
+    wait(600ms);
+    set.remove_timer(timer);
+    attempt([&] { set.remove_timer(timer); });
+    set.remove_subscription(heard);
+    set.remove_guard_condition(guard);
+    wait(600ms);
+  };
+  all["static_wait_set"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(500ms, [] {});
+    typedef rclcpp::StaticWaitSet<0, 0, 1, 0, 0, 0> Set;
+    Set set({}, {}, std::array<rclcpp::TimerBase::SharedPtr, 1>{timer});
+    say(shown(set.wait(2s).kind() == rclcpp::WaitResultKind::Ready));
+  };
+  all["wait_for_message"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<String>("to", rclcpp::QoS(1).transient_local());
+    String message;
+    say(shown(rclcpp::wait_for_message(message, node, "to", 500ms)));
+    publisher->publish(String().set__data("hello"));
+    auto late = node->create_subscription<String>("to", rclcpp::QoS(1).transient_local(), [](const String&) {});
+    say(shown(rclcpp::wait_for_message(message, late, node->get_node_options().context())) + message.data);
+  };
+  all["loaned_message"] = [](const Shared& node)
+  {
+    auto texts = node->create_publisher<String>("texts", 10);
+    auto numbers = node->create_publisher<UInt32>("to", 10);
+    auto heard = node->create_subscription<UInt32>("to", 10, [](const UInt32& message) { say(shown(message.data)); });
+    say(shown(texts->can_loan_messages()) + shown(numbers->can_loan_messages()));
+    auto text = texts->borrow_loaned_message();
+    auto number = numbers->borrow_loaned_message();
+    number.get().data = 5;
+    numbers->publish(std::move(number));
+    numbers->publish<UInt32>(UInt32().set__data(6));
+    say(shown(text.is_valid()) + shown(number.is_valid()));
+    attempt([&] { numbers->publish(std::move(number)); });
+    rclcpp::spin_all(node, 1s);
+  };
+  all["timers_by_interfaces"] = [](const Shared& node)
+  {
+    auto base = node->get_node_base_interface();
+    auto timers = node->get_node_timers_interface();
+    auto clock = node->get_node_clock_interface()->get_clock();
+    auto one = rclcpp::create_timer(base, timers, clock, 800ms, [] { say("one"); });
+    auto two = rclcpp::create_wall_timer(700ms, [] { say("two"); }, nullptr, base.get(), timers.get());
+    auto call = [] { say("three"); };
+    auto three = std::make_shared<rclcpp::GenericTimer<decltype(call)>>(
+        clock, 1100ms, std::move(call), base->get_context());
+    timers->add_timer(three, nullptr);
+    auto other = std::make_shared<rclcpp::Clock>(RCL_ROS_TIME);
+    rclcpp::TimeSource source(node);
+    source.attachClock(other);
+    say(shown(other->ros_time_is_active()) + node->get_node_logging_interface()->get_logger_name());
+    rclcpp::spin(node);
+  };
   all["exception_leaves_spin"] = [](const Shared& node)
   {
     auto timer = node->create_wall_timer(500ms, [] { throw std::runtime_error("in a callback"); });

@@ -743,19 +743,29 @@ std::chrono::nanoseconds TimerBase::time_until_trigger() const
 
 // When a call begins, the next one is due one period after this one was. If that has passed, it is due at the next place
 // on the grid (source: rcl_timer_call).
-void TimerBase::call_back(std::int64_t now)
+TimerInfo TimerBase::begin_call(std::int64_t now)
 {
-  if (cancelled_)
-    return;
-  std::int64_t expected = next_, begun = rosspin::now(), ahead = clock_->ns() - begun;
+  std::int64_t expected = next_;
   next_ = later(next_, period_);
   if (period_ < least_period)
     next_ = now + least_call;
   else if (next_ <= now)
     next_ += (1 + (now - next_) / period_) * period_;
-  std::int64_t tick = begin_tick(expected - ahead, begun);
-  callback_(TimerInfo{Time(expected, clock_->get_clock_type()), Time(now, clock_->get_clock_type())});
+  return {Time(expected, clock_->get_clock_type()), Time(now, clock_->get_clock_type())};
+}
+
+void TimerBase::make_call(const TimerInfo& info)
+{
+  std::int64_t begun = rosspin::now(), ahead = clock_->ns() - begun;
+  std::int64_t tick = begin_tick(info.expected_call_time.nanoseconds() - ahead, begun);
+  callback_(info);
   end_tick(tick, rosspin::now() - begun);
+}
+
+void TimerBase::call_back(std::int64_t now)
+{
+  if (!cancelled_)
+    make_call(begin_call(now));
 }
 
 std::vector<std::pair<std::int64_t, std::int64_t>> TimerBase::coming() const
@@ -1840,6 +1850,71 @@ void EventsExecutor::spin()
 }
 }  // namespace executors
 }  // namespace experimental
+
+// --- wait sets (source: wait_set_template.hpp, sequential_synchronization.hpp) ---
+
+GuardCondition::GuardCondition(Context::SharedPtr context) : context_(std::move(context))
+{
+  if (!context_)
+    throw std::invalid_argument("context argument unexpectedly nullptr");
+  context_->check("failed to create guard condition");
+}
+
+std::int64_t WaitSet::look()
+{
+  std::int64_t next = rosspin::never;
+  auto callables = [&](const auto& all, std::vector<const void*>& ready, std::size_t& size)
+  {
+    ready.clear();
+    for (const auto& each : all)
+    {
+      next = std::min(next, each->is_due() ? rosspin::now() : each->due());
+      ready.push_back(each->is_due() ? each.get() : nullptr);
+    }
+    size = all.size();
+  };
+  callables(subscriptions_, ready_.subscriptions, ready_.size_of_subscriptions);
+  callables(timers_, ready_.timers, ready_.size_of_timers);
+  callables(clients_, ready_.clients, ready_.size_of_clients);
+  callables(services_, ready_.services, ready_.size_of_services);
+  ready_.guard_conditions.clear();
+  for (const auto& each : guard_conditions_)
+  {
+    ready_.guard_conditions.push_back(each->take() ? each.get() : nullptr);
+    if (ready_.guard_conditions.back())
+      next = rosspin::now();
+  }
+  ready_.size_of_guard_conditions = guard_conditions_.size();
+  return next;
+}
+
+// Ctrl-C does not end the wait.
+WaitResultKind WaitSet::wait_nanoseconds(std::chrono::nanoseconds timeout)
+{
+  if (subscriptions_.empty() && guard_conditions_.empty() && timers_.empty() && clients_.empty() && services_.empty())
+    return WaitResultKind::Empty;
+  std::int64_t end = timeout.count() < 0 ? rosspin::never : later(rosspin::now(), timeout.count()), next;
+  rosspin::wait(rosspin::now());  // what has come is seen
+  while ((next = look()) > rosspin::now())
+  {
+    if (rosspin::now() >= end)
+      return WaitResultKind::Timeout;
+    rosspin::wait(std::min(end, next));
+  }
+  return WaitResultKind::Ready;
+}
+
+namespace detail
+{
+bool wait_for(const Callable& callable, const Context& context, std::int64_t timeout)
+{
+  std::int64_t end = timeout < 0 ? rosspin::never : later(rosspin::now(), timeout);
+  rosspin::wait(rosspin::now());
+  while (!callable.is_due() && context.is_valid() && rosspin::now() < end)
+    rosspin::wait(end);
+  return callable.is_due() && context.is_valid();
+}
+}  // namespace detail
 
 void spin(Executor::Base node)
 {

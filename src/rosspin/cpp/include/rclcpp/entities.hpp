@@ -149,6 +149,9 @@ public:
   void set_on_reset_callback(std::function<void(std::size_t)> callback) { on_reset_ = std::move(callback); }
   void clear_on_reset_callback() { on_reset_ = nullptr; }
   void execute_callback() { callback_(TimerInfo{clock_->now(), clock_->now()}); }
+  // Who calls it without an executor begins a call, which gives nothing if it is cancelled, and makes it.
+  std::shared_ptr<void> call() { return cancelled_ ? nullptr : std::make_shared<TimerInfo>(begin_call(clock_->ns())); }
+  void execute_callback(const std::shared_ptr<void>& begun) { make_call(*static_cast<TimerInfo*>(begun.get())); }
 
   // What follows is not rclcpp's.
   bool is_due() const override { return is_ready(); }
@@ -164,6 +167,8 @@ protected:
   std::int64_t period_;
 
 private:
+  TimerInfo begin_call(std::int64_t now);
+  void make_call(const TimerInfo& info);
   Clock::SharedPtr clock_;
   std::int64_t next_;
   bool cancelled_;
@@ -304,7 +309,7 @@ public:
   std::size_t get_subscription_count() const;
   std::size_t get_intra_process_subscription_count() const { return 0; }
   QoS get_actual_qos() const { return qos_; }
-  bool can_loan_messages() const { return false; }
+  bool can_loan_messages() const { return can_loan_; }
   bool assert_liveliness() const;
   template<class Rep = std::int64_t, class Period = std::milli>
   bool wait_for_all_acked(std::chrono::duration<Rep, Period> = std::chrono::duration<Rep, Period>(-1)) const
@@ -314,12 +319,33 @@ public:
 
 protected:
   void send(const std::string& bytes);
+  bool can_loan_ = false;
 
 private:
   node_interfaces::NodeBaseInterface::SharedPtr node_;
   std::string topic_;
   QoS qos_;
   std::int64_t id_;
+};
+
+// A message that the middleware could have lent: here it is the publisher's own.
+template<class M, class Allocator = std::allocator<void>>
+class LoanedMessage
+{
+public:
+  LoanedMessage(const PublisherBase& publisher, std::allocator<M>) : can_loan_(publisher.can_loan_messages())
+  {
+    if (!can_loan_)
+      RCLCPP_INFO_ONCE(
+          get_logger("rclcpp"), "Currently used middleware can't loan messages. Local allocator will be used.");
+  }
+  bool is_valid() const { return message_ != nullptr; }
+  M& get() const { return *message_; }
+  std::unique_ptr<M> release() { return std::move(message_); }
+
+private:
+  bool can_loan_;
+  std::unique_ptr<M> message_ = std::make_unique<M>();
 };
 
 template<class M, class Allocator = std::allocator<void>>
@@ -329,8 +355,27 @@ public:
   RCLCPP_SMART_PTR_DEFINITIONS(Publisher)
   using ROSMessageType = M;
   using PublishedType = M;
-  using PublisherBase::PublisherBase;
+  template<class Options>
+  Publisher(node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& topic, const char* type,
+      const QoS& qos, const Options& options)
+    : PublisherBase(std::move(node), topic, type, qos, options)
+  {
+    // Fast DDS lends messages that are in memory as they are sent.
+    can_loan_ = std::is_trivially_copyable_v<M>;
+  }
+  LoanedMessage<M, Allocator> borrow_loaned_message() { return {*this, std::allocator<M>()}; }
+  void publish(LoanedMessage<M, Allocator>&& message)
+  {
+    if (!message.is_valid())
+      throw std::runtime_error("loaned message is not valid");
+    publish(message.release());
+  }
   virtual void publish(const M& message) { send(detail::serialized(message)); }
+  template<class T>
+  std::enable_if_t<std::is_same_v<T, M>> publish(const T& message)
+  {
+    publish(message);
+  }
   virtual void publish(std::unique_ptr<M> message)
   {
     if (!message)
@@ -433,6 +478,11 @@ public:
     auto message = std::make_unique<M>();
     detail::deserialize(received.bytes, *message);
     callback_(std::move(message), received.info);
+  }
+  // Make the call for a message that was taken otherwise.
+  void handle_message(std::shared_ptr<void>& message, const MessageInfo& info)
+  {
+    callback_(std::make_unique<M>(*static_cast<M*>(message.get())), info);
   }
   bool take(M& message, MessageInfo& info)
   {

@@ -137,6 +137,14 @@ ROSSPIN_EXCEPTION(InvalidQosOverridesException);
 #undef ROSSPIN_EXCEPTION
 }  // namespace exceptions
 
+class UnsupportedEventTypeException : public exceptions::RCLErrorBase, public std::runtime_error
+{
+public:
+  explicit UnsupportedEventTypeException(const std::string& message) : RCLErrorBase(message), std::runtime_error(message)
+  {
+  }
+};
+
 class ContextAlreadyInitialized : public std::runtime_error
 {
 public:

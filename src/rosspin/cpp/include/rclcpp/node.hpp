@@ -142,6 +142,44 @@ private:
 };
 }  // namespace node_interfaces
 
+namespace node_interfaces
+{
+class NodeTimersInterface
+{
+public:
+  RCLCPP_SMART_PTR_ALIASES_ONLY(NodeTimersInterface)
+  explicit NodeTimersInterface(NodeBaseInterface::SharedPtr node) : node_(std::move(node)) {}
+  void add_timer(TimerBase::SharedPtr timer, CallbackGroup::SharedPtr group)
+  {
+    node_->group_for(group, "timer")->add(timer);
+  }
+
+private:
+  NodeBaseInterface::SharedPtr node_;
+};
+class NodeClockInterface
+{
+public:
+  RCLCPP_SMART_PTR_ALIASES_ONLY(NodeClockInterface)
+  explicit NodeClockInterface(Clock::SharedPtr clock) : clock_(std::move(clock)) {}
+  Clock::SharedPtr get_clock() const { return clock_; }
+
+private:
+  Clock::SharedPtr clock_;
+};
+class NodeLoggingInterface
+{
+public:
+  RCLCPP_SMART_PTR_ALIASES_ONLY(NodeLoggingInterface)
+  explicit NodeLoggingInterface(const std::string& name) : logger_(rclcpp::get_logger(name)) {}
+  Logger get_logger() const { return logger_; }
+  const char* get_logger_name() const { return logger_.get_name(); }
+
+private:
+  Logger logger_;
+};
+}  // namespace node_interfaces
+
 using node_interfaces::OnSetParametersCallbackHandle;
 using node_interfaces::PostSetParametersCallbackHandle;
 using node_interfaces::PreSetParametersCallbackHandle;
@@ -487,6 +525,18 @@ public:
 
   node_interfaces::NodeBaseInterface::SharedPtr get_node_base_interface() { return base_; }
   node_interfaces::NodeParametersInterface::SharedPtr get_node_parameters_interface() { return parameters_; }
+  node_interfaces::NodeTimersInterface::SharedPtr get_node_timers_interface()
+  {
+    return std::make_shared<node_interfaces::NodeTimersInterface>(base_);
+  }
+  node_interfaces::NodeClockInterface::SharedPtr get_node_clock_interface()
+  {
+    return std::make_shared<node_interfaces::NodeClockInterface>(clock_);
+  }
+  node_interfaces::NodeLoggingInterface::SharedPtr get_node_logging_interface()
+  {
+    return std::make_shared<node_interfaces::NodeLoggingInterface>(base_->logger_name());
+  }
 
 private:
   Node(const Node& other, const std::string& sub_namespace, int);
@@ -496,6 +546,23 @@ private:
   Clock::SharedPtr clock_;
   node_interfaces::NodeParametersInterface::SharedPtr parameters_;
   std::shared_ptr<detail::TimeSource> time_source_;
+};
+
+// Has other clocks than the node's own follow /clock, if the node does.
+class TimeSource
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(TimeSource)
+  explicit TimeSource(std::shared_ptr<Node> node) : node_(std::move(node)) {}
+  void attachClock(Clock::SharedPtr clock)
+  {
+    sources_.emplace_back(node_->get_node_base_interface(), std::move(clock), ClockQoS());
+    sources_.back().follow(node_->get_parameter("use_sim_time").as_bool());
+  }
+
+private:
+  std::shared_ptr<Node> node_;
+  std::list<detail::TimeSource> sources_;
 };
 
 // --- the same as functions ---
@@ -512,16 +579,35 @@ auto create_subscription(AnyNode&& node, const std::string& topic, const QoS& qo
 {
   return node->template create_subscription<M>(topic, qos, std::forward<Callback>(callback), options);
 }
+template<class Callback>
+typename TimerBase::SharedPtr create_timer(node_interfaces::NodeBaseInterface::SharedPtr base,
+    node_interfaces::NodeTimersInterface::SharedPtr timers, Clock::SharedPtr clock, Duration period, Callback&& callback,
+    CallbackGroup::SharedPtr group = nullptr)
+{
+  typedef std::decay_t<Callback> Kept;
+  auto timer = std::make_shared<GenericTimer<Kept>>(std::move(clock),
+      detail::period_of(std::chrono::nanoseconds(period.nanoseconds())), Kept(std::forward<Callback>(callback)),
+      base->get_context());
+  timers->add_timer(timer, group);
+  return timer;
+}
 template<class AnyNode, class Callback>
 typename TimerBase::SharedPtr create_timer(AnyNode node, Clock::SharedPtr clock, Duration period, Callback&& callback,
     CallbackGroup::SharedPtr group = nullptr)
 {
-  typedef std::decay_t<Callback> Kept;
-  auto base = node->get_node_base_interface();
-  auto timer = std::make_shared<GenericTimer<Kept>>(std::move(clock),
-      detail::period_of(std::chrono::nanoseconds(period.nanoseconds())), Kept(std::forward<Callback>(callback)),
-      base->get_context());
-  base->group_for(group, "timer")->add(timer);
+  return create_timer(node->get_node_base_interface(), node->get_node_timers_interface(), std::move(clock), period,
+      std::forward<Callback>(callback), std::move(group));
+}
+template<class Rep, class Period, class Callback>
+typename WallTimer<Callback>::SharedPtr create_wall_timer(std::chrono::duration<Rep, Period> period, Callback callback,
+    CallbackGroup::SharedPtr group, node_interfaces::NodeBaseInterface* base,
+    node_interfaces::NodeTimersInterface* timers, bool autostart = true)
+{
+  if (!base || !timers)
+    throw std::invalid_argument(base ? "input node_timers cannot be null" : "input node_base cannot be null");
+  auto timer = std::make_shared<WallTimer<Callback>>(
+      detail::period_of(period), std::move(callback), base->get_context(), autostart);
+  timers->add_timer(timer, group);
   return timer;
 }
 
@@ -530,11 +616,9 @@ typename TimerBase::SharedPtr create_timer(AnyNode node, Clock::SharedPtr clock,
 class ROSSPIN_NOT_SIMULATED("rclcpp::AsyncParametersClient") AsyncParametersClient;
 class ROSSPIN_NOT_SIMULATED("rclcpp::SyncParametersClient") SyncParametersClient;
 class ROSSPIN_NOT_SIMULATED("rclcpp::ParameterEventHandler") ParameterEventHandler;
-class ROSSPIN_NOT_SIMULATED("rclcpp::WaitSet") WaitSet;
 class ROSSPIN_NOT_SIMULATED("rclcpp::GenericPublisher") GenericPublisher;
 class ROSSPIN_NOT_SIMULATED("rclcpp::GenericSubscription") GenericSubscription;
 class ROSSPIN_NOT_SIMULATED("rclcpp::SerializedMessage") SerializedMessage;
-class ROSSPIN_NOT_SIMULATED("rclcpp::GuardCondition") GuardCondition;
 }  // namespace rclcpp
 
 #endif

@@ -2,12 +2,15 @@
 #ifndef ROSSPIN_RCLCPP_RCLCPP_HPP
 #define ROSSPIN_RCLCPP_RCLCPP_HPP
 
+#include <cassert>
+#include <cinttypes>
 #include <csignal>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 
 #include "rclcpp/executors.hpp"
+#include "rclcpp/wait_set.hpp"
 #include "rcutils/cmdline_parser.h"
 #include "rcutils/logging_macros.h"
 
