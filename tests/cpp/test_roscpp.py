@@ -85,11 +85,6 @@ def test_an_odd_timer_does_what_it_did(row: dict[str, str]) -> None:
     assert told[-1] == ("calls: 4" if row["run"] == "rate_spin_once" else row["what"])
 
 
-def test_a_loop_that_only_names_ros_ok_does_not_end(write: Write) -> None:
-    text = (PACKAGE / "spinner_rate_cpp_node.cpp").read_text(encoding="utf-8")
-    assert simulate(write(text.replace("ros::ok()", "ros::ok"), "node.cpp"), 1.0).status == 128 + signal.SIGKILL
-
-
 STAMPED = "\x1b[0m[ INFO] [{}]: [SPINNER CPP NODE] {}\x1b[0m\n"
 
 
@@ -104,6 +99,18 @@ def test_the_listings_of_the_tutorial(name: str) -> None:
     expected = [half / 2 for half in range(first, 3)]
     assert [(each.expected, each.real) for each in run.ticks] == [(time, time) for time in expected]
     assert {each.source for each in run.ticks} == {"Rate" if first == 0 else "timerCallback"}
+
+
+@pytest.mark.parametrize(("place", "status"), [("", 134), ("main", 0)])
+def test_a_global_timer_outlives_its_manager(write: Write, place: str, status: int) -> None:
+    """As on the real one, whose manager of timers is made after it."""
+    text = (PACKAGE / "spinner_cpp_node.cpp").read_text(encoding="utf-8")
+    if not place:
+        text = text.replace("  ros::Timer timer_for", "  timer_for", 1)
+        text = text.replace('#include "ros/ros.h"', '#include "ros/ros.h"\nros::Timer timer_for_counting;', 1)
+    run = simulate(write(text, "node.cpp"), 1.0)
+    assert run.status == status
+    assert ("boost: mutex lock failed in pthread_mutex_lock: Invalid argument" in run.console) == bool(status)
 
 
 def test_python_hears_cpp_and_cpp_hears_python() -> None:
@@ -227,6 +234,54 @@ def test_what_gxx_lets_pass_is_let_pass(write: Write) -> None:
     assert simulate(write(GXX, "node.cpp"), 1.0).console == "asked 3\n2.0\n"
 
 
+SMALL = """\
+#include <boost/thread.hpp>
+#include <ros/package.h>
+#include <ros/ros.h>
+struct Filter : ros::console::FilterBase
+{
+  bool passes;
+  explicit Filter(bool passes) : passes(passes) {}
+  bool isEnabled() override { return passes; }
+};
+boost::mutex guard;
+boost::recursive_mutex again;
+int main(int argc, char** argv)
+{
+  ROSCONSOLE_AUTOINIT;
+  ros::init(argc, argv, "node");
+  ros::NodeHandle nh;
+  Filter yes(true), no(false);
+  ROS_INFO_FILTER(&yes, "passes %d", 1);
+  ROS_INFO_STREAM_FILTER(&no, "does " << "not");
+  ROS_WARN_STREAM_FILTER_NAMED(&yes, "name", "passes " << 2);
+  boost::mutex::scoped_lock lock(guard);
+  boost::recursive_mutex::scoped_lock one(again), two(again);
+  boost::this_thread::sleep(boost::posix_time::milliseconds(250));
+  boost::this_thread::sleep_for(boost::chrono::seconds(1));
+  ROS_INFO("slept");
+}
+"""
+
+
+def test_filters_and_locks_of_boost(write: Write) -> None:
+    """As run on Debian's roscpp and Boost 1.74."""
+    said = re.sub("\x1b\\[\\d+m", "", simulate(write(SMALL, "node.cpp"), 2.0).console)
+    assert said.splitlines() == [
+        "[ INFO] [0.000000000]: passes 1",
+        "[ WARN] [0.000000000]: passes 2",
+        "[ INFO] [1.250000000]: slept",
+    ]
+
+
+def test_a_loop_that_only_names_ros_ok_does_not_end(write: Write) -> None:
+    text = (PACKAGE / "spinner_rate_cpp_node.cpp").read_text(encoding="utf-8")
+    run = simulate(write(text.replace("ros::ok()", "ros::ok"), "node.cpp"), 1.0)
+    assert run.status == 128 + signal.SIGKILL
+    assert "Ctrl-C at 1 s did not end the node" in run.console
+    assert "MainThread" not in run.console
+
+
 def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("rosspin.cpp.nodejs._MOST", 0.5)
     node = write('#include "ros/ros.h"\nint main()\n{\n  for (volatile int i = 0;; i++) {}\n}\n', "node.cpp")
@@ -251,6 +306,7 @@ ASYNC = """
     [
         ('"tf/transform_listener.h"', "", "tf/transform_listener.h"),
         ("<thread>", "std::thread([] {}).join();", "std::thread"),
+        ("<ros/package.h>", 'ros::package::getPath("roscpp");', "ros::package::getPath"),
         (
             '"ros/ros.h"',
             'ros::init(argc, argv, "node"); ros::NodeHandle().advertiseService("name", main);',

@@ -12,6 +12,7 @@ _SEVERITIES = ("Debug", "Info", "Warn", "Error", "Fatal")
 _ROS1 = {
     "": ("", "true"),
     "_COND": ("condition, ", "condition"),
+    "_FILTER": ("filter, ", "(filter)->isEnabled()"),
     "_ONCE": ("", "ROSSPIN_ONCE"),
     "_THROTTLE": ("period, ", "ROSSPIN_THROTTLE(period, false)"),
     "_DELAYED_THROTTLE": ("period, ", "ROSSPIN_THROTTLE(period, true)"),

@@ -49,6 +49,8 @@ def say_where(node: Code, waited: Sequence[Whereabouts]) -> str:
     lines = []
     for thread, places, _ in waited:
         place = _of_nodes([node], places)
+        if not place and node.filename.endswith(CPP):
+            continue  # where it was is not known
         where = f"was at {place.shown()}" if place else "had done its work and waited for other threads"
         lines.append(f"rosspin: {thread} {where}\n")
     return "".join(lines)

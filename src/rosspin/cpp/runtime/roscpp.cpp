@@ -662,6 +662,7 @@ struct Timers
   };
   std::vector<Entry> entries;
   std::uint64_t count = 0;
+  bool gone = false;
 };
 
 Timers& timers()
@@ -669,6 +670,12 @@ Timers& timers()
   static Timers* all = new Timers;
   return *all;
 }
+
+// As roscpp's timer manager, it is made with the first timer, so it is gone before a global timer ends.
+struct Manager
+{
+  ~Manager() { timers().gone = true; }
+};
 
 std::int64_t next_timer()
 {
@@ -712,6 +719,7 @@ void TimerImpl::start()
   if (started)
     return;
   started = true;
+  static Manager manager;
   tick_as(name_, period);
   run_ = boost::make_shared<Run>();
   run_->timer = this;
@@ -738,6 +746,12 @@ void TimerImpl::stop()
 {
   if (!started)
     return;
+  if (timers().gone)
+  {
+    rosspin::write(2, "terminate called after throwing an instance of 'boost::wrapexcept<boost::lock_error>'\n"
+                      "  what():  boost: mutex lock failed in pthread_mutex_lock: Invalid argument\n");
+    std::abort();
+  }
   started = false;
   std::uint64_t id = run_->order;
   run_->timer = nullptr;

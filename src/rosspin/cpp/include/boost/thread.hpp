@@ -2,6 +2,7 @@
 #ifndef ROSSPIN_BOOST_THREAD_HPP
 #define ROSSPIN_BOOST_THREAD_HPP
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <shared_mutex>
@@ -9,15 +10,54 @@
 
 namespace boost
 {
-using std::condition_variable;
+namespace detail
+{
+template<class M>
+class Mutex : public M
+{
+public:
+  typedef std::unique_lock<Mutex> scoped_lock;
+};
+}  // namespace detail
+typedef detail::Mutex<std::mutex> mutex;
+typedef detail::Mutex<std::timed_mutex> timed_mutex;
+
+// There is one thread: it may lock this as often as it likes.
+class recursive_mutex
+{
+public:
+  typedef std::unique_lock<recursive_mutex> scoped_lock;
+  void lock() {}
+  bool try_lock() { return true; }
+  void unlock() {}
+};
+
+typedef std::condition_variable_any condition_variable;
 using std::lock_guard;
-using std::mutex;
-using std::recursive_mutex;
+using std::shared_lock;
 using std::shared_mutex;
 using std::thread;
-using std::timed_mutex;
 using std::unique_lock;
-namespace this_thread = std::this_thread;
+
+namespace chrono = std::chrono;
+
+namespace posix_time
+{
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+}  // namespace posix_time
+
+namespace this_thread
+{
+using namespace std::this_thread;
+
+template<class Duration>
+void sleep(const Duration& duration)
+{
+  sleep_for(duration);
+}
+}  // namespace this_thread
 }  // namespace boost
 
 #endif

@@ -36,6 +36,14 @@ void print(Level level, const char* format, Values... values)
 {
   print(level, rosspin::formatted(format, {rosspin::Argument(values)...}));
 }
+// What decides whether a line logs that names it.
+class FilterBase
+{
+public:
+  virtual ~FilterBase() {}
+  virtual bool isEnabled() { return true; }
+};
+
 bool set_logger_level(const std::string& name, Level level);
 inline bool get_loggers(std::map<std::string, Level>&) { return true; }
 inline void notifyLoggerLevelsChanged() {}
@@ -74,6 +82,7 @@ bool throttled(double period, double& last, bool delayed = false);
     return ::ros::console::throttled(period, last, delayed);                                                           \
   }())
 
+#define ROSCONSOLE_AUTOINIT static_cast<void>(0)
 #define ROS_LOG(level, name, ...) ROSSPIN_LOG(true, level, __VA_ARGS__)
 #define ROS_LOG_STREAM(level, name, values) ROSSPIN_LOG_STREAM(true, level, values)
 #define ROS_LOG_COND(condition, level, name, ...) ROSSPIN_LOG(condition, level, __VA_ARGS__)

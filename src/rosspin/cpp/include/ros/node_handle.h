@@ -392,7 +392,15 @@ struct TopicInfo
   std::string name, datatype;
 };
 typedef std::vector<TopicInfo> V_TopicInfo;
+bool getTopics(V_TopicInfo& topics) ROSSPIN_NOT_SIMULATED("ros::master::getTopics");
+bool getNodes(V_string& nodes) ROSSPIN_NOT_SIMULATED("ros::master::getNodes");
 inline bool check() { return true; }
+inline std::uint32_t getPort() { return 11311; }
+inline const std::string& getURI()
+{
+  static const std::string uri = "http://localhost:11311";
+  return uri;
+}
 inline const std::string& getHost()
 {
   static const std::string host = "localhost";
