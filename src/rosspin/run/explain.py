@@ -12,7 +12,7 @@ from ..clocks.installed import is_installed_file
 from ..clocks.simulation import Simulation, Standstill
 from ..clocks.watchdog import Stuck
 from ..world.world import NotSimulated
-from .kinds import ROS, words_in
+from .kinds import ROS, language_of, words_in
 from .source import Code
 
 __all__ = [
@@ -49,7 +49,7 @@ def say_where(node: Code, waited: Sequence[Whereabouts]) -> str:
     lines = []
     for thread, places, _ in waited:
         place = _of_nodes([node], places)
-        if not place and node.filename.endswith(CPP):
+        if not place and language_of(node.filename):
             continue  # where it was is not known
         where = f"was at {place.shown()}" if place else "had done its work and waited for other threads"
         lines.append(f"rosspin: {thread} {where}\n")

@@ -58,6 +58,8 @@ const SUSPENDED = {
  * earlier, with something for the program to do; `link.exchange` is the host's, and `link.random(bytes)` fills bytes.
  */
 export class Program {
+  #exit // thrown at its end
+
   constructor(module, args, environment, link) {
     this.module = module
     this.link = link
@@ -201,8 +203,10 @@ export class Program {
         yield* program.look()
         return SUCCESS
       }),
+      // What a program does after its end is that it unwinds: C++ takes this for a foreign exception, and a destructor for
+      // a reason to end it once more.
       proc_exit: (status) => {
-        throw new Exit(status)
+        throw (this.#exit ??= new Exit(status))
       },
       fd_fdstat_get: (fd, at) => {
         if (fd > 2) return BADF
@@ -218,6 +222,7 @@ export class Program {
       },
       fd_write: out(function* (fd, list, count, written) {
         if (fd !== 1 && fd !== 2) return BADF
+        if (program.#exit) throw program.#exit
         let total = 0
         for (let each = 0; each < count; each++) {
           const at = program.#view.getUint32(list + 8 * each, true)
