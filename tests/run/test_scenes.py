@@ -326,7 +326,7 @@ def test_a_run_that_is_watched_goes_as_any_other(name: str) -> None:
     log = TickLog()
     with capture() as console:
         result = run_node(load(EXAMPLES / f"{name}_py_node.py"), 2.2, (), Simulation(), log)
-    assert log.tell is None
+    assert log.watcher is None
     assert (watched.console, repr(watched.ticks)) == (console.text(), repr(result.ticks))
 
 

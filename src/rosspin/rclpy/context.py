@@ -155,9 +155,9 @@ class Context:
         """End, and call the hooks, unless it has ended. Raises InvalidHandle if it was destroyed."""
         own = self._rosspin
         own.check()
-        if own.state.world.recording.tell:
+        if watcher := own.state.world.recording.watcher:
             has = "" if own.valid else ", which the signal has done already"
-            own.state.world.recording.tell("says", f"shuts rclpy down{has}.")
+            watcher.says(f"shuts rclpy down{has}.")
         if not own.valid:
             return
         own.end()

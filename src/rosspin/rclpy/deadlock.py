@@ -8,7 +8,7 @@ continues from there, until it comes round, or to something that no one does.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.frames import Place, node_place, places
@@ -24,6 +24,7 @@ from .waits import Wait, Waits
 
 if TYPE_CHECKING:
     from ..world.graph import Graph
+    from ..world.watcher import Watcher
     from .executors import Executor
     from .node import Node
 
@@ -68,10 +69,10 @@ class _Step(NamedTuple):
     advice: str
 
 
-def explain(graph: Graph, tell: Callable[..., None] | None = None) -> str:
+def explain(graph: Graph, watcher: Watcher | None = None) -> str:
     """Say which callbacks and threads of a run wait without end, as lines; nothing if all may continue.
 
-    ``tell("ring", way)`` is called with each way that is followed, for a picture of it.
+    ``watcher`` is told of each way that is followed, for a picture of it.
     """
     run = _Run(graph)
     lines: list[str] = []
@@ -85,8 +86,8 @@ def explain(graph: Graph, tell: Callable[..., None] | None = None) -> str:
             lines += ["deadlock. This can never continue:", *(f"  {line}" for step in steps for line in step.lines)]
             advice = [step.advice for step in steps if step.advice]
             lines.append(_HOLDING if _HOLDING in advice else (advice or [_RING])[0])
-            if tell:
-                tell("ring", _links(waiter, steps))
+            if watcher:
+                watcher.rings(_links(waiter, steps))
         told.add(id(waiter.goal))
     return "".join(f"rosspin: {line}\n" for line in lines)
 

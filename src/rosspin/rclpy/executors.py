@@ -112,7 +112,7 @@ class Executor:
         if not self._context.ok():
             raise invalid_context("create guard_condition")
         self._clock = self._context._rosspin.state.clock
-        self._rosspin_tell = self._context._rosspin.state.world.recording.tell
+        self._rosspin_watcher = self._context._rosspin.state.world.recording.watcher
         faults = self._context._rosspin.state.world.graph.faults
         self._rosspin_slow = faults.call if faults and faults.slows else None
         self._nodes: dict[Node, None] = {}  # in the order of their addition
@@ -143,9 +143,9 @@ class Executor:
         task = Task(callback, args, kwargs, executor=self)
         self._tasks.append((task, None, None))
         self._rosspin_check()
-        if self._rosspin_tell:
-            task._rosspin_tell = self._rosspin_tell
-            self._rosspin_tell("asks", task, callback)
+        if self._rosspin_watcher:
+            task._rosspin_watcher = self._rosspin_watcher
+            self._rosspin_watcher.asks(task, callback)
         self.wake()
         return task
 
@@ -367,8 +367,8 @@ class Executor:
         for watchers in watched:
             watchers.append(self._rosspin_gate)
         self._rosspin_waits, self._rosspin_deadline = True, deadline
-        if self._rosspin_tell:
-            self._rosspin_tell("looks", self)
+        if self._rosspin_watcher:
+            self._rosspin_watcher.looks(self)
         is_last = False
         try:
             while True:
@@ -394,8 +394,8 @@ class Executor:
             ready -= self._rosspin_not_yet(ready, timers, receivers)
         for guard in triggered:
             guard._rosspin_triggered, guard._executor_triggered = False, True
-        if self._rosspin_tell:
-            self._rosspin_tell("finds", self, {*ready, *triggered})
+        if self._rosspin_watcher:
+            self._rosspin_watcher.finds(self, {*ready, *triggered})
         self._rosspin_waited_until = self._clock.now()
         return ready, is_over or timeout == 0
 
@@ -455,8 +455,8 @@ async def _call(entity: Any, executor: Executor, node: Node) -> None:
         executor.wake()
         if call is not None:
             callback, args, tick = call
-            if executor._rosspin_tell:
-                executor._rosspin_tell("calls", entity, executor)
+            if executor._rosspin_watcher:
+                executor._rosspin_watcher.calls(entity, executor)
             if executor._rosspin_slow:
                 executor._rosspin_slow(node._rosspin.full_name, getattr(entity, "callback", callback))
             if is_coroutine_function(callback):
@@ -467,8 +467,8 @@ async def _call(entity: Any, executor: Executor, node: Node) -> None:
                 entity._rosspin_end(tick)
     finally:
         group.ending_execution(entity)
-        if executor._rosspin_tell:
-            executor._rosspin_tell("ends", entity)
+        if executor._rosspin_watcher:
+            executor._rosspin_watcher.ends(entity)
         executor.wake()
 
 

@@ -61,10 +61,10 @@ def _handle(number: int, frame: Any) -> None:
     """Shut down all contexts and wake the executors, then call the earlier handler: KeyboardInterrupt at Ctrl-C."""
     own = state()
     before = own.before[number]
-    tell = own.world.recording.tell
+    watcher = own.world.recording.watcher
     if number in own.handled:
-        if tell:
-            tell("says", "gets the signal: rclpy shuts its contexts down and wakes the executors.")
+        if watcher:
+            watcher.says("gets the signal: rclpy shuts its contexts down and wakes the executors.")
         for context in list(own.contexts):
             context.end()
         for gate in list(own.waiting):
@@ -75,8 +75,8 @@ def _handle(number: int, frame: Any) -> None:
         signal.raise_signal(number)
     if not callable(before):
         return
-    if tell:
-        tell("says", "continues with what the signal does in Python: at Ctrl-C it raises KeyboardInterrupt here.")
+    if watcher:
+        watcher.says("continues with what the signal does in Python: at Ctrl-C it raises KeyboardInterrupt here.")
     if own.asleep:
         own.pending = lambda: before(number, frame)
     else:

@@ -14,6 +14,7 @@ from ..clocks.frames import warn
 from ..world.world import World, current, current_world
 
 if TYPE_CHECKING:
+    from ..world.watcher import Watcher
     from .executors import Executor
 
 __all__ = ["Future", "FutureState", "Task"]
@@ -180,7 +181,7 @@ class Task(Future):
         self._executing = False
         self._rosspin_turn = [None]  # taken by the thread that runs it
         self._rosspin_stack: Any = None  # on which it runs, or last did
-        self._rosspin_tell: Callable[..., None] | None = None  # called when it begins and ends
+        self._rosspin_watcher: Watcher | None = None  # is told when it begins and ends
 
     def __call__(self) -> None:
         """Run or resume it, unless another thread is doing so."""
@@ -195,8 +196,8 @@ class Task(Future):
             try:
                 if self._rosspin_coroutine is None:
                     assert self._handler
-                    if self._rosspin_tell:
-                        self._rosspin_tell("calls", self, self._executor())
+                    if self._rosspin_watcher:
+                        self._rosspin_watcher.calls(self, self._executor())
                     args, kwargs = self._rosspin_arguments
                     result = self._handler
                     if not inspect.iscoroutine(result):
@@ -219,8 +220,8 @@ class Task(Future):
             self._handler = self._rosspin_coroutine = None
             # An exception that ends the program, such as SystemExit, leaves the task executing without end.
             self._executing = False
-            if self._rosspin_tell:
-                self._rosspin_tell("ends", self)
+            if self._rosspin_watcher:
+                self._rosspin_watcher.ends(self)
         finally:
             self._rosspin_turn.append(None)
 

@@ -48,8 +48,8 @@ def waiting_for(goal: Any, world: World) -> Iterator[None]:
     waits.append(wait)
     try:
         yield
-        if world.recording.tell:
-            world.recording.tell("wakes", goal)
+        if world.recording.watcher:
+            world.recording.watcher.wakes(goal)
     finally:
         waits.remove(wait)
 

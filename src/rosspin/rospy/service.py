@@ -334,9 +334,9 @@ class Service(_Named):
         faults = self._rosspin_node.world.graph.faults
         if faults and faults.slows:
             faults.call(self._rosspin_node.name, self.handler)
-        tell = self._rosspin_node.world.recording.tell
-        if tell:
-            tell("calls", self.handler)
+        watcher = self._rosspin_node.world.recording.watcher
+        if watcher:
+            watcher.calls(self.handler)
         try:
             connection.answer(self, _to_response(self.handler(request), self.response_class), call)
         except NotSimulated:
@@ -349,8 +349,8 @@ class Service(_Named):
             self.error_handler(error, type(error), error, error.__traceback__)
             connection.refuse(self, f"error processing request: {error}", call)
         finally:
-            if tell:
-                tell("ends", self.handler)
+            if watcher:
+                watcher.ends(self.handler)
 
 
 def _to_response(value: Any, response_class: type[Message]) -> Message:

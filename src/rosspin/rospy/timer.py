@@ -111,8 +111,8 @@ class Rate:
             self._passes += 1
             duration = node.in_run() - self._pass_start
             ticks.add(self._source, self._passes, expected, self._pass_start, duration)
-            if tell := node.world.recording.tell:
-                tell("says", f"ends pass {self._passes} of its loop.")
+            if watcher := node.world.recording.watcher:
+                watcher.says(f"ends pass {self._passes} of its loop.")
             loop = sys._getframe(2)
             self._slept = threading.get_ident(), loop.f_code, loop.f_lasti
 
@@ -296,7 +296,7 @@ class Timer(threading.Thread):
             ticks.periods.setdefault(source, period)
         faults = world.graph.faults
         slow = faults.call if faults and faults.slows else None
-        tell = world.recording.tell
+        watcher = world.recording.watcher
         number = 0
         last_expected = last_real = duration = None  # in ns, like all times here
         while not node.shutdown and not self._shutdown:
@@ -320,13 +320,13 @@ class Timer(threading.Thread):
             callback = self._callback  # calling a local variable skips the search among the methods
             if slow:
                 slow(node.name, callback)
-            if tell:
-                tell("calls", callback, real - expected)
+            if watcher:
+                watcher.calls(callback, late=real - expected)
             try:
                 callback(_event(last_expected, last_real, expected, real, duration))
             finally:
-                if tell:
-                    tell("ends", callback)
+                if watcher:
+                    watcher.ends(callback)
             duration = clock.now() - began
             if ticks is not None:
                 ticks.end(tick, duration)

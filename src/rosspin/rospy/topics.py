@@ -227,9 +227,9 @@ class Subscription:
     def _call(self, message: Message, callback: Callable[..., Any], args: Any) -> None:
         if self._slow:
             self._slow(self.node.name, callback)
-        tell = self.node.world.recording.tell
-        if tell:
-            tell("calls", callback)
+        watcher = self.node.world.recording.watcher
+        if watcher:
+            watcher.calls(callback)
         try:
             if args is None:
                 callback(message)
@@ -244,8 +244,8 @@ class Subscription:
                 self.node.world.note_error(error)
                 logerr(f"bad callback: {callback}\n{format_error(error)}")
         finally:
-            if tell:
-                tell("ends", callback)
+            if watcher:
+                watcher.ends(callback)
 
     def close(self) -> None:
         """End all connections. Waiting messages are dropped."""

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from ..clocks.frames import node_place, outer_place, places
 from ..clocks.simulation import Simulation
 from ..clocks.stacks import Stack, keeper, thread_name
+from ..world.watcher import Watcher
 
 __all__ = ["explain_threads"]
 
@@ -18,10 +17,10 @@ _NEITHER = "One of them has to continue without waiting for the other."
 _TWICE = "A threading.Lock cannot be taken twice by one thread: release it first, or use an RLock."
 
 
-def explain_threads(clock: Simulation, tell: Callable[..., None] | None = None) -> str:
+def explain_threads(clock: Simulation, watcher: Watcher | None = None) -> str:
     """Say which threads wait for each other, as lines; nothing if none do.
 
-    ``tell("ring", way)`` is called with each ring, for a picture of it.
+    ``watcher`` is told of each ring, for a picture of it.
     """
     lines: list[str] = []
     seen: set[Stack] = set()
@@ -32,8 +31,8 @@ def explain_threads(clock: Simulation, tell: Callable[..., None] | None = None) 
         if stack in path:
             ring = list(path)[list(path).index(stack) :]
             lines += ["deadlock. This can never continue:", *(line for each in ring for line in _say(each, path[each]))]
-            if tell:
-                tell("ring", {"links": [[thread_name(each), f"waits for {path[each]}"] for each in ring], "to": 0})
+            if watcher:
+                watcher.rings({"links": [[thread_name(each), f"waits for {path[each]}"] for each in ring], "to": 0})
             locks = [path[each].startswith(_LOCK) for each in ring]
             lines.append(
                 _NEITHER if not any(locks) else _TWICE if len(ring) == 1 else _ORDER if all(locks) else _HOLDING

@@ -323,9 +323,9 @@ class Host:
         assert isinstance(clock, Simulation)
         if self.recording.log is not None:
             self.recording.log.look_ahead(lambda: {stack.ident: stack.trail for stack in clock.suspended()})
-        said = explain_threads(clock, self.recording.tell)
+        said = explain_threads(clock, self.recording.watcher)
         for ros, graph in sorted(self._graphs.items()):
-            said += ROS[ros].explain_waits(graph, self.recording.tell)
+            said += ROS[ros].explain_waits(graph, self.recording.watcher)
         if said:
             self.waits = said
             sys.stderr.write(said)

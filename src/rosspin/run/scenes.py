@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -55,46 +55,58 @@ class Scenes(StepsSeen):
         self._asked: dict[Any, _Asked] = {}  # by their code, and by their tasks
         self._calls: list[_Call] = []  # those that have not ended
 
-    def _note_what(self, what: str, subject: Any, more: Any, here: str) -> None:
-        if isinstance(subject, Task):
-            if what == "asks" and (code := code_of(more)) and not code.co_filename.startswith(_OURS):
-                asked = self._asked[subject] = self._asked.setdefault(code, _Asked(more))
-                asked.tasks.append(subject)
-                self._note(f"{here} hands {self._say([asked])} to the executor, which calls it in its next round.")
-            if what == "asks" or subject not in self._asked:
+    def asks(self, task: Task, callback: Any) -> None:
+        here, code = self._here(), code_of(callback)
+        if here is not None and code and not code.co_filename.startswith(_OURS):
+            asked = self._asked[task] = self._asked.setdefault(code, _Asked(callback))
+            asked.tasks.append(task)
+            self._note(f"{here} hands {self._say([asked])} to the executor, which calls it in its next round.")
+
+    def looks(self, executor: Executor) -> None:
+        if self._here() is not None:
+            self._ready[executor] = []
+
+    def finds(self, executor: Executor, ready: Collection[Any]) -> None:
+        if self._here() is None:
+            return
+        self._say(_entities(executor))  # which gives them numbers in their order
+        self._ready[executor] = [entity for entity in _entities(executor) if entity in ready]
+        if found := self._ready[executor]:
+            whose = self._of(executor.get_nodes())
+            self._note(f"The executor{whose} finds what is ready: {self._say(found)}.")
+
+    def calls(self, entity: Any, executor: Any = None, late: int = 0) -> None:
+        if (here := self._here()) is None:
+            return
+        how = ""
+        if isinstance(entity, Task):
+            if entity not in self._asked:
                 return
-            task, subject = subject, self._asked[subject]
-            if what == "calls":
-                subject.tasks.remove(task)
-                self._calls.append(_Call(subject, more, current(), task))
-                self._note(f"{here} calls {self._say([subject])}.", self._begin(_callback(subject)))
-                return
-        match what:
-            case "looks":
-                self._ready[subject] = []
-            case "finds":
-                self._say(_entities(subject))  # which gives them numbers in their order
-                self._ready[subject] = [entity for entity in _entities(subject) if entity in more]
-                if found := self._ready[subject]:
-                    whose = self._of(subject.get_nodes())
-                    self._note(f"The executor{whose} finds what is ready: {self._say(found)}.")
-            case "calls":
-                self._ready[more] = [each for each in self._ready.get(more, ()) if each is not subject]
-                task = next(task for task, entity, _ in more._tasks if entity is subject and task.executing())
-                self._calls.append(_Call(subject, more, current(), task))
-                late = self.clock.now() - subject._rosspin_expected if isinstance(subject, Timer) else 0
-                lateness = f", {late / NS:g} s late" if late > 0 else ""
-                sets = ". That sets the event for which the loop sleeps" if isinstance(_owner(subject), Rate) else ""
-                self._note(f"{here} calls {self._say([subject])}{lateness}{sets}.", self._begin(_callback(subject)))
-            case "ends" if calls := [call for call in self._calls if call.entity is subject]:
-                # A coroutine may end in another thread than the one in which it began.
-                self._calls.remove(min(calls, key=lambda call: call.thread is not current()))
-                self._note(f"{self._say([subject])} ends.")
-            case "wakes":
-                why = "the event is set" if isinstance(subject, Timer) else "what it waited for is there"
-                self._note(f"{here} continues: {why}.")
-            case "says":
-                self._note(f"{here} {subject}")
+            task, entity = entity, self._asked[entity]
+            entity.tasks.remove(task)
+        else:
+            self._ready[executor] = [each for each in self._ready.get(executor, ()) if each is not entity]
+            task = next(task for task, each, _ in executor._tasks if each is entity and task.executing())
+            late = self.clock.now() - entity._rosspin_expected if isinstance(entity, Timer) else 0
+            how = f", {late / NS:g} s late" if late > 0 else ""
+            if isinstance(_owner(entity), Rate):
+                how += ". That sets the event for which the loop sleeps"
+        self._calls.append(_Call(entity, executor, current(), task))
+        self._note(f"{here} calls {self._say([entity])}{how}.", self._begin(_callback(entity)))
+
+    def ends(self, entity: Any) -> None:
+        if self._here() is None:
+            return
+        entity = self._asked.get(entity) if isinstance(entity, Task) else entity
+        if calls := [call for call in self._calls if call.entity is entity]:
+            # A coroutine may end in another thread than the one in which it began.
+            self._calls.remove(min(calls, key=lambda call: call.thread is not current()))
+            self._note(f"{self._say([entity])} ends.")
+
+    def wakes(self, goal: Any) -> None:
+        if (here := self._here()) is not None:
+            why = "the event is set" if isinstance(goal, Timer) else "what it waited for is there"
+            self._note(f"{here} continues: {why}.")
 
     def _running(self) -> list[Any] | None:
         return (

@@ -15,6 +15,7 @@ from ..clocks.frames import trail
 from ..clocks.simulation import PacedSimulation
 from ..clocks.stacks import Stack, Switched, current
 from ..world.graph import TickLog
+from ..world.watcher import Watcher
 
 __all__ = ["StepsSeen", "ThreadsSeen", "code_of"]
 
@@ -23,7 +24,7 @@ _MOST = 300
 _MOST_CALLBACKS = 30
 
 
-class StepsSeen:
+class StepsSeen(Watcher):
     """The steps of a run, in which a step is noted whenever something is told or the time passes.
 
     The run has to be on :attr:`clock`, and to record its ticks in ``log``. Lines are of the file ``filename``.
@@ -33,7 +34,7 @@ class StepsSeen:
     def __init__(
         self, log: TickLog, filename: str, pace: Callable[[int], object] = lambda when: None, several: bool = False
     ) -> None:
-        log.tell = self.tell
+        log.watcher = self
         self.clock = PacedSimulation(self._before)
         self._filename = filename
         self._pace = pace
@@ -43,7 +44,7 @@ class StepsSeen:
         self._groups: dict[Any, tuple[int, str]] = {}
         self._threads: dict[Stack, tuple[int, str]] = {}
         self._steps: list[list[Any]] = []
-        self._rings: list[list[Any]] = []
+        self._rings: list[dict[str, Any]] = []
 
     def data(self, status: int) -> dict[str, Any] | None:
         """Return what a page draws of a run that has ended with ``status``, ready for JSON: see web/src/protocol.js.
@@ -63,21 +64,21 @@ class StepsSeen:
             "rings": self._rings,
         }
 
-    def tell(self, what: str, subject: Any, more: Any = None) -> None:
-        """Note what is told of a run. This is called on the thread that it happens on."""
-        if what == "ring":
-            self._rings.append(subject)
-        elif not (self._is_full or self.clock.is_over):
-            stack = current()
-            here = threading.current_thread().name
-            if self._several and isinstance(stack, Stack):
-                if not stack.owner.tells:
-                    return
-                here = name_of(stack)
-            self._note_what(what, subject, more, here)
+    def rings(self, ring: dict[str, Any]) -> None:
+        self._rings.append(ring)
 
-    def _note_what(self, what: str, subject: Any, more: Any, here: str) -> None:
-        raise NotImplementedError()
+    def says(self, words: str) -> None:
+        if (here := self._here()) is not None:
+            self._note(f"{here} {words}")
+
+    def _here(self) -> str | None:
+        """Return the name of the calling thread; None if what it does is no step, or there are enough of them."""
+        if self._is_full or self.clock.is_over:
+            return None
+        stack = current()
+        if self._several and isinstance(stack, Stack):
+            return name_of(stack) if stack.owner.tells else None
+        return threading.current_thread().name
 
     @property
     def _is_full(self) -> bool:
@@ -157,17 +158,16 @@ class ThreadsSeen(StepsSeen):
         data = super().data(status)
         return data and data | {"groups": []}
 
-    def _note_what(self, what: str, subject: Any, more: Any, here: str) -> None:
-        calls = self._calls.setdefault(current(), [])
-        if what == "says":
-            self._note(f"{here} {subject}")
-        elif what == "calls":
-            calls.append(subject)
-            late = f", {more / NS:g} s late" if more else ""
-            self._note(f"{here} calls {self._say([subject])}{late}.", self._begin(subject))
-        elif what == "ends":
-            calls.remove(subject)
-            self._note(f"{self._say([subject])} ends.")
+    def calls(self, entity: Any, executor: Any = None, late: int = 0) -> None:
+        if (here := self._here()) is not None:
+            self._calls.setdefault(current(), []).append(entity)
+            lateness = f", {late / NS:g} s late" if late else ""
+            self._note(f"{here} calls {self._say([entity])}{lateness}.", self._begin(entity))
+
+    def ends(self, entity: Any) -> None:
+        if self._here() is not None:
+            self._calls[current()].remove(entity)
+            self._note(f"{self._say([entity])} ends.")
 
     def _running(self) -> list[Any] | None:
         return list(dict.fromkeys(callback for calls in self._calls.values() for callback in calls))

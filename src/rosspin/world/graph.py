@@ -17,6 +17,7 @@ from weakref import WeakSet
 from ..clocks.clock import NS, Clock
 from ..clocks.frames import Trail
 from ..results.ticks import Call, Message, Mishap, Tick
+from .watcher import Watcher
 
 __all__ = ["CallMade", "Counterpart", "End", "EndMade", "Faults", "Graph", "Published", "Recording", "TickLog", "Wire"]
 
@@ -118,8 +119,7 @@ class TickLog:
     longer in the processor's cache when it is needed again, and that the garbage collector goes through.
     """
 
-    # Called with what executors do and of what, if the run should be gone through step by step.
-    tell: Callable[..., None] | None = None
+    watcher: Watcher | None = None  # if the run should be gone through step by step
 
     def __init__(self) -> None:
         self._fields: list[Any] = []  # source, number, expected, real, duration, source, number, ...
@@ -258,7 +258,7 @@ class Recording:
     def __init__(self, clock: Clock, log: TickLog | None, several: bool = False, start: int = 0) -> None:
         self.several = several
         self.log = log
-        self.tell = None if log is None else log.tell
+        self.watcher = None if log is None else log.watcher
         self.published: list[Published] | None = None if log is None else []
         self.start = start
         self.ends: list[EndMade] = []  # of topics, in the order in which they were made

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 if TYPE_CHECKING:
     from ...clocks.frames import Place
     from ...world.graph import Graph
+    from ...world.watcher import Watcher
 
 __all__ = ["Ros", "Words"]
 
@@ -75,7 +76,7 @@ class Ros(ABC):
         module, _, name = self._steps.partition(".")
         return getattr(import_module(f"rosspin.run.{module}"), name)
 
-    def explain_waits(self, graph: Graph, tell: Callable[..., None] | None) -> str:
+    def explain_waits(self, graph: Graph, watcher: Watcher | None) -> str:
         """Say which callbacks of a graph wait forever, a line for each."""
         return ""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from .ros import Ros, Words
@@ -10,6 +10,7 @@ from .ros import Ros, Words
 if TYPE_CHECKING:
     from ...clocks.frames import Place
     from ...world.graph import Graph
+    from ...world.watcher import Watcher
 
 __all__ = ["Ros2"]
 
@@ -43,8 +44,8 @@ class Ros2(Ros):
     def rate(self) -> Any:
         return self.stand_in.timer.Rate
 
-    def explain_waits(self, graph: Graph, tell: Callable[..., None] | None) -> str:
-        return str(self.stand_in.explain_waits(graph, tell))
+    def explain_waits(self, graph: Graph, watcher: Watcher | None) -> str:
+        return str(self.stand_in.explain_waits(graph, watcher))
 
     def is_asleep_on_a_rate(self, places: Iterable[Place]) -> bool:
         return bool(self.stand_in.timer.is_asleep_on_a_rate(places))
