@@ -13,13 +13,6 @@ const NOSYS = 52
 const LOOKS = 10_000
 const LOOK = [0n, 1_000n, 10_000n, 100_000n, 1_000_000n]
 
-export class Exit extends Error {
-  constructor(status) {
-    super(`exit ${status}`)
-    this.status = status
-  }
-}
-
 /**
  * How a program calls out to a host, and is called. What it calls are `steps`, a generator function: what that yields is for
  * the host, whose answer `exchange` returns. This host answers at once.
@@ -58,7 +51,7 @@ const SUSPENDED = {
  * earlier, with something for the program to do; `link.exchange` is the host's, and `link.random(bytes)` fills bytes.
  */
 export class Program {
-  #exit // thrown at its end
+  #status
 
   constructor(module, args, environment, link) {
     this.module = module
@@ -78,7 +71,7 @@ export class Program {
       }
       return 0
     } catch (error) {
-      return statusOf(error)
+      return this.#statusAt(error)
     }
   }
 
@@ -93,7 +86,7 @@ export class Program {
       }
       return 0
     } catch (error) {
-      return statusOf(error)
+      return this.#statusAt(error)
     }
   }
 
@@ -115,6 +108,12 @@ export class Program {
     const tag = this.exports.__cpp_exception
     if (!(tag && error instanceof WebAssembly.Exception && error.is(tag))) throw error
     return this.into(this.exports.rosspin_uncaught)(error.getArg(tag, 0))
+  }
+
+  /** The exit status by which it has ended itself. Any other error is thrown. */
+  #statusAt(error) {
+    if (this.#status === undefined) throw error
+    return this.#status
   }
 
   /** Note that it looks at the time, or at something else; whoever looks again and again waits. */
@@ -203,10 +202,9 @@ export class Program {
         yield* program.look()
         return SUCCESS
       }),
-      // What a program does after its end is that it unwinds: C++ takes this for a foreign exception, and a destructor for
-      // a reason to end it once more.
+      // A trap follows: an exception would be caught on its way, by each destructor and by what throws nothing.
       proc_exit: (status) => {
-        throw (this.#exit ??= new Exit(status))
+        this.#status = status
       },
       fd_fdstat_get: (fd, at) => {
         if (fd > 2) return BADF
@@ -222,7 +220,6 @@ export class Program {
       },
       fd_write: out(function* (fd, list, count, written) {
         if (fd !== 1 && fd !== 2) return BADF
-        if (program.#exit) throw program.#exit
         let total = 0
         for (let each = 0; each < count; each++) {
           const at = program.#view.getUint32(list + 8 * each, true)
@@ -267,12 +264,6 @@ export class Program {
       }),
     }
   }
-}
-
-/** The exit status by which a program has ended itself. Any other error is thrown. */
-function statusOf(error) {
-  if (error instanceof Exit) return error.status
-  throw error
 }
 
 const encoder = new TextEncoder()
