@@ -51,6 +51,44 @@ def test_python_hears_cpp_and_cpp_hears_python() -> None:
     assert "[SUBSCRIBER CPP NODE] counter = 3" in run.console
 
 
+HOLDS = """\
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("holder");
+  node->declare_parameter("whole", 5);
+  auto change = [&] { node->set_parameter(rclcpp::Parameter("whole", 6)); };
+  auto timer = node->create_wall_timer(std::chrono::seconds(1), change);
+  rclcpp::spin(node);
+}
+"""
+
+ASKS = """\
+import rclpy
+from rcl_interfaces.msg import ParameterEvent
+from rclpy.parameter_client import AsyncParameterClient
+
+def heard(event):
+    print(event.node, [(each.name, each.value.integer_value) for each in event.changed_parameters])
+
+rclpy.init()
+node = rclpy.create_node("asks")
+node.create_subscription(ParameterEvent, "/parameter_events", heard, 10)
+client = AsyncParameterClient(node, "/holder")
+client.wait_for_services()
+future = client.get_parameters(["use_sim_time", "whole"])
+rclpy.spin_until_future_complete(node, future)
+print([each.integer_value for each in future.result().values])
+rclpy.spin(node)
+"""
+
+
+def test_python_asks_for_parameters_of_cpp(write: Write) -> None:
+    run = simulate([str(write(HOLDS, "holds.cpp")), str(write(ASKS, "asks.py"))], 1.5)
+    assert run.console.splitlines()[:2] == ["[0, 5]", "/holder [('whole', 6)]"]
+
+
 SCENARIOS = recorded("ros2.txt")
 
 
@@ -177,8 +215,8 @@ def main(body: str, include: str = '"rclcpp/rclcpp.hpp"') -> str:
         ("<thread>", "std::thread([] {}).join();", "std::thread"),
         (
             '"rclcpp/parameter_client.hpp"',
-            "std::shared_ptr<rclcpp::SyncParametersClient> client;",
-            "rclcpp::SyncParametersClient",
+            'rclcpp::AsyncParametersClient(std::make_shared<rclcpp::Node>("node")).load_parameters("file.yaml");',
+            "rclcpp::AsyncParametersClient::load_parameters",
         ),
     ],
 )

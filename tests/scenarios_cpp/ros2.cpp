@@ -816,6 +816,71 @@ std::map<std::string, Scenario> scenarios()
     say(shown(other->ros_time_is_active()) + node->get_node_logging_interface()->get_logger_name());
     rclcpp::spin(node);
   };
+  all["parameter_client"] = [](const Shared& node)
+  {
+    node->declare_parameter("whole", 1);
+    rclcpp::SyncParametersClient client(node);
+    say(shown(client.wait_for_service(1s)) + std::to_string(client.get_parameter<int>("whole")));
+    say(std::to_string(client.get_parameter("lacking", 9)) + std::to_string(client.get_parameters({"whole", "lacking"}).size()));
+    attempt([&] { client.get_parameter<int>("lacking"); });
+    for (const auto& result : client.set_parameters({rclcpp::Parameter("whole", 6), rclcpp::Parameter("lacking", 1)}))
+      say(shown(result.successful) + " " + result.reason);
+    say(client.set_parameters_atomically({rclcpp::Parameter("whole", 7), rclcpp::Parameter("lacking", 1)}).reason);
+    say(client.set_parameters_atomically({rclcpp::Parameter("whole", "text")}).reason);
+    say(std::to_string(node->get_parameter("whole").as_int()) + shown(client.has_parameter("whole")) + shown(client.has_parameter("lacking")));
+    say(shown(client.get_parameter_types({"whole", "use_sim_time"})[1]) + client.describe_parameters({"whole"})[0].name);
+    say(shown(client.list_parameters({}, 1).names.size() >= 2));
+    auto other = std::make_shared<Node>("other");
+    rclcpp::SyncParametersClient far(other, "s");
+    say(shown(far.wait_for_service(1s)) + std::to_string(far.get_parameters({"whole"}, 500ms).size()));
+    attempt([&] { far.list_parameters({}, 1, 500ms); });
+    rclcpp::AsyncParametersClient nobody(node, "nobody");
+    say(shown(nobody.wait_for_service(500ms)));
+    rclcpp::AsyncParametersClient asynchronous(node.get(), "/s");
+    auto future = asynchronous.get_parameters(
+        {"whole"}, [](std::shared_future<std::vector<rclcpp::Parameter>> got) { say(shown(got.get()[0])); });
+    say(shown(rclcpp::spin_until_future_complete(node, future)));
+  };
+  all["parameter_services_off"] = [](const Shared& node)
+  {
+    auto off = rclcpp::NodeOptions().start_parameter_services(false).start_parameter_event_publisher(false);
+    auto other = std::make_shared<Node>("other", off);
+    rclcpp::ParameterEventHandler handler(node);
+    auto heard = handler.add_parameter_event_callback([](const auto& event) { say(event.node); });
+    other->declare_parameter("whole", 1);
+    say(shown(rclcpp::AsyncParametersClient(node, "other").wait_for_service(500ms)));
+    say(shown(rclcpp::AsyncParametersClient(node, "s").wait_for_service(500ms)));
+    rclcpp::spin_all(node, 1s);
+  };
+  all["parameter_events"] = [](const Shared& node)
+  {
+    auto other = std::make_shared<Node>("other", rclcpp::NodeOptions().allow_undeclared_parameters(true));
+    node->declare_parameter("before", 1);
+    rclcpp::ParameterEventHandler handler(node);
+    auto first = handler.add_parameter_callback("whole", [](const auto& parameter) { say("first " + shown(parameter)); });
+    auto second = handler.add_parameter_callback("whole", [](const auto& parameter) { say("second " + shown(parameter)); });
+    auto third = handler.add_parameter_callback("text", [](const auto& parameter) { say("third " + shown(parameter)); }, "other");
+    auto all = handler.add_parameter_event_callback(
+        [](const rcl_interfaces::msg::ParameterEvent& event)
+        {
+          say(event.node + " " + std::to_string(event.new_parameters.size()) + std::to_string(event.changed_parameters.size()) + std::to_string(event.deleted_parameters.size()));
+          for (const auto& parameter : rclcpp::ParameterEventHandler::get_parameters_from_event(event))
+            say(shown(parameter));
+          attempt([&] { rclcpp::ParameterEventHandler::get_parameter_from_event(event, "whole", "/s"); });
+        });
+    rclcpp::spin_all(node, 1s);
+    node->declare_parameter("whole", 1);
+    node->set_parameters_atomically({rclcpp::Parameter("whole", 2), rclcpp::Parameter("before", 3)});
+    other->set_parameter(rclcpp::Parameter("text", "words"));
+    other->set_parameter(rclcpp::Parameter("text"));
+    rclcpp::spin_all(node, 1s);
+    handler.remove_parameter_callback(first);
+    attempt([&] { handler.remove_parameter_callback(first); });
+    second.reset();
+    handler.remove_parameter_event_callback(all);
+    node->set_parameter(rclcpp::Parameter("whole", 4));
+    rclcpp::spin_all(node, 1s);
+  };
   all["exception_leaves_spin"] = [](const Shared& node)
   {
     auto timer = node->create_wall_timer(500ms, [] { throw std::runtime_error("in a callback"); });

@@ -29,7 +29,7 @@ _FOLDERS = {
 }
 _MADE = {1: ("ros/console_macros.h", ros1_macros), 2: ("rclcpp/logging_macros.hpp", ros2_macros)}
 
-# The messages of ROS 2 that rclcpp itself uses.
+# The messages and services of ROS 2 that rclcpp itself uses.
 _OF_RCLCPP = [
     *(f"builtin_interfaces/msg/{name}.hpp" for name in ("duration", "time")),
     *(
@@ -37,6 +37,13 @@ _OF_RCLCPP = [
         for name in (
             *("list_parameters_result", "parameter", "parameter_descriptor", "parameter_event", "parameter_type"),
             *("parameter_value", "set_parameters_result"),
+        )
+    ),
+    *(
+        f"rcl_interfaces/srv/{name}.hpp"
+        for name in (
+            *("describe_parameters", "get_parameter_types", "get_parameters", "list_parameters", "set_parameters"),
+            "set_parameters_atomically",
         )
     ),
     "rosgraph_msgs/msg/clock.hpp",

@@ -83,6 +83,7 @@ class Ros2:
             "publish": lambda number, data: self._publishers[number].publish(data),
             "assert_liveliness": lambda number: self._publishers[number].assert_liveliness(),
             "respond": self._respond,
+            "parameter_event": lambda number, data: self._nodes[number].tell_parameter_event(data),
             "end_node": lambda number: self._nodes[number].destroy_node(),
             "end_publisher": lambda number: self._publishers[number].destroy(),
             "end_subscription": lambda number: self._subscriptions[number].destroy(),
@@ -236,6 +237,14 @@ class _Node(Node):
             start_parameter_services=False,
         )
         self._rosspin.nudge = feed  # type: ignore[method-assign]
+
+    def tell_parameter_event(self, data: bytes) -> None:
+        """Publish which parameters have changed, if anybody has looked."""
+        if publisher := self._parameter_event_publisher:
+            publisher.publish(data)
+
+    def _rosspin_tell_parameters(self, *changed: object) -> None:
+        """Those of the program are told of; it has the same as this node from the beginning."""
 
     def tell_events(self) -> None:
         """Log what did not match."""

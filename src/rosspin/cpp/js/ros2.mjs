@@ -85,6 +85,11 @@ export class Ros2 {
         if (meet(publisher, each)) this.#host.event("message", [BigInt(place), ...message])
       })
     },
+    parameter_event: (_node, data) => {
+      this.#subscriptions.forEach(({ name, ended }, place) => {
+        if (name === "/parameter_events" && !ended) this.#host.event("message", [BigInt(place), data, this.#host.now, this.#host.now, 1n])
+      })
+    },
     respond: (_service, number, data) => {
       const [client, sequence] = this.#requests.get(number)
       if (!this.#clients[client].ended) this.#host.event("response", [client, sequence, data])

@@ -960,7 +960,7 @@ void TimeSource::follow(bool active)
 Node::Node(const std::string& name, const std::string& ns, const NodeOptions& options)
   : options_(options), base_(std::make_shared<node_interfaces::NodeBaseInterface>(name, ns, options)),
     clock_(std::make_shared<Clock>(options.clock_type())),
-    parameters_(std::make_shared<node_interfaces::NodeParametersInterface>(*base_, options)),
+    parameters_(std::make_shared<node_interfaces::NodeParametersInterface>(base_, clock_, options)),
     time_source_(std::make_shared<detail::TimeSource>(base_, clock_, options.clock_qos()))
 {
   std::weak_ptr<detail::TimeSource> source = time_source_;
@@ -1245,10 +1245,14 @@ struct NodeParametersInterface::Changing
   bool& flag;
 };
 
-NodeParametersInterface::NodeParametersInterface(const NodeBaseInterface& node, const NodeOptions& options)
-  : allow_undeclared_(options.allow_undeclared_parameters())
+NodeParametersInterface::NodeParametersInterface(
+    NodeBaseInterface::SharedPtr node, Clock::SharedPtr clock, const NodeOptions& options)
+  : node_(std::move(node)), clock_(std::move(clock)), allow_undeclared_(options.allow_undeclared_parameters()),
+    tells_(options.start_parameter_event_publisher())
 {
-  for (const auto& [name, value] : node.overrides())
+  if (options.start_parameter_services())
+    offer_all();
+  for (const auto& [name, value] : node_->overrides())
     overrides_[name] = value_of(value);
   for (const Parameter& parameter : options.parameter_overrides())
     overrides_[parameter.get_name()] = parameter.get_parameter_value();
@@ -1258,6 +1262,84 @@ NodeParametersInterface::NodeParametersInterface(const NodeBaseInterface& node, 
   descriptor.dynamic_typing = true;
   for (const auto& [name, value] : overrides_)
     declare_parameter(name, value, descriptor, true);
+}
+
+template<class S, class Answer>
+void NodeParametersInterface::offer(const char* name, Answer answer)
+{
+  typedef std::shared_ptr<typename S::Request> Request;
+  typedef std::shared_ptr<typename S::Response> Response;
+  auto call = [answer](Request request, Response response)
+  {
+    try
+    {
+      answer(*request, *response);
+    }
+    catch (const exceptions::ParameterNotDeclaredException&)
+    {
+    }
+  };
+  services_.push_back(
+      std::make_shared<Service<S>>(node_, std::string(node_->get_name()) + "/" + name, call, ParametersQoS()));
+  node_->get_default_callback_group()->add(services_.back());
+}
+
+// Source: parameter_service.cpp.
+void NodeParametersInterface::offer_all()
+{
+  namespace srv = rcl_interfaces::srv;
+  auto set = [this](const std::vector<rcl_interfaces::msg::Parameter>& given, const std::string& reason)
+  {
+    std::vector<Parameter> parameters;
+    for (const auto& each : given)
+      parameters.push_back(Parameter::from_parameter_msg(each));
+    try
+    {
+      return set_parameters_atomically(parameters);
+    }
+    catch (const exceptions::ParameterNotDeclaredException& error)
+    {
+      return refused(reason.empty() ? error.what() : reason);
+    }
+  };
+  offer<srv::GetParameters>("get_parameters",
+      [this](const auto& request, auto& response)
+      {
+        try
+        {
+          for (const Parameter& each : get_parameters(request.names))
+            response.values.push_back(each.get_value_message());
+        }
+        catch (const exceptions::ParameterUninitializedException&)
+        {
+        }
+      });
+  offer<srv::GetParameterTypes>("get_parameter_types",
+      [this](const auto& request, auto& response) { response.types = get_parameter_types(request.names); });
+  offer<srv::SetParameters>("set_parameters",
+      [set](const auto& request, auto& response)
+      {
+        for (const auto& each : request.parameters)
+          response.results.push_back(set({each}, ""));
+      });
+  offer<srv::SetParametersAtomically>("set_parameters_atomically",
+      [set](const auto& request, auto& response)
+      { response.result = set(request.parameters, "One or more parameters were not declared before setting"); });
+  offer<srv::DescribeParameters>("describe_parameters",
+      [this](const auto& request, auto& response) { response.descriptors = describe_parameters(request.names); });
+  offer<srv::ListParameters>("list_parameters",
+      [this](const auto& request, auto& response)
+      { response.result = list_parameters(request.prefixes, request.depth); });
+}
+
+// The host has the publisher, if someone listens.
+void NodeParametersInterface::publish(rcl_interfaces::msg::ParameterEvent event) const
+{
+  if (!tells_)
+    return;
+  event.node = node_->get_fully_qualified_name();
+  event.stamp = clock_->now();
+  rosspin::tell("parameter_event", {node_->id(), bytes_of(detail::serialized(event))});
 }
 
 const ParameterValue& NodeParametersInterface::declare_parameter(
@@ -1302,6 +1384,10 @@ const ParameterValue& NodeParametersInterface::declare(const std::string& name, 
       throw exceptions::InvalidParameterTypeException(name, result.reason);
     throw exceptions::InvalidParameterValueException("parameter '" + name + "' could not be set: " + result.reason);
   }
+  rcl_interfaces::msg::ParameterEvent event;
+  if (const ParameterValue& value = all_.at(name).value; value.get_type() != PARAMETER_NOT_SET)
+    event.new_parameters.push_back(Parameter(name, value).to_parameter_msg());
+  publish(event);
   return all_.at(name).value;
 }
 
@@ -1434,10 +1520,22 @@ NodeParametersInterface::Result NodeParametersInterface::set_parameters_atomical
   Result result = set(parameters, all_, true, allow_undeclared_);
   if (!result.successful)
     return result;
+  rcl_interfaces::msg::ParameterEvent event;
   for (const auto& [name, info] : started)
+  {
     all_[name] = info;
+    if (info.value.get_type() != PARAMETER_NOT_SET)
+      event.new_parameters.push_back(Parameter(name, info.value).to_parameter_msg());
+  }
   for (const std::string& name : to_go)
+  {
+    event.deleted_parameters.push_back(Parameter(name, all_[name].value).to_parameter_msg());
     all_.erase(name);
+  }
+  for (const Parameter& parameter : parameters)
+    if (!started.count(parameter.get_name()) && !to_go.count(parameter.get_name()))
+      event.changed_parameters.push_back(parameter.to_parameter_msg());
+  publish(event);
   for (const Parameter& parameter : parameters)
     if (parameter.get_name() == "use_sim_time" && parameter.get_type() == PARAMETER_BOOL && on_use_sim_time)
       on_use_sim_time(parameter.as_bool());
@@ -1850,6 +1948,227 @@ void EventsExecutor::spin()
 }
 }  // namespace executors
 }  // namespace experimental
+
+// --- the parameters of another node (sources: parameter_client.cpp, parameter_event_handler.cpp) ---
+
+AsyncParametersClient::AsyncParametersClient(node_interfaces::NodeBaseInterface::SharedPtr node,
+    const std::string& remote_node_name, const QoS& qos, CallbackGroup::SharedPtr group)
+  : node_(std::move(node))
+{
+  auto in = node_->group_for(group, "client");
+  std::string remote = remote_node_name.empty() ? node_->get_fully_qualified_name() : remote_node_name;
+  auto make = [&](auto& client, const char* name)
+  {
+    typedef typename std::decay_t<decltype(client)>::element_type Made;
+    client = std::make_shared<Made>(node_, remote + "/" + name, qos);
+    in->add(client);
+  };
+  make(get_, "get_parameters");
+  make(get_types_, "get_parameter_types");
+  make(set_, "set_parameters");
+  make(set_atomically_, "set_parameters_atomically");
+  make(list_, "list_parameters");
+  make(describe_, "describe_parameters");
+}
+
+namespace
+{
+// Ask, and settle the future with what `read` makes of the response.
+template<class T, class S, class Fill, class Read>
+std::shared_future<T> asked(Client<S>& client, Fill fill, std::function<void(std::shared_future<T>)> call, Read read)
+{
+  auto request = std::make_shared<typename S::Request>();
+  fill(*request);
+  auto promise = std::make_shared<std::promise<T>>();
+  std::shared_future<T> future = promise->get_future().share();
+  client.async_send_request(request,
+      [promise, future, call = std::move(call), read](typename Client<S>::SharedFuture response)
+      {
+        promise->set_value(read(*response.get()));
+        if (call)
+          call(future);
+      });
+  return future;
+}
+
+std::vector<rcl_interfaces::msg::Parameter> messages(const std::vector<Parameter>& parameters)
+{
+  std::vector<rcl_interfaces::msg::Parameter> made;
+  for (const Parameter& each : parameters)
+    made.push_back(each.to_parameter_msg());
+  return made;
+}
+}  // namespace
+
+std::shared_future<std::vector<Parameter>> AsyncParametersClient::get_parameters(
+    const std::vector<std::string>& names, Call<std::vector<Parameter>> call)
+{
+  auto read = [names](const auto& response)
+  {
+    std::vector<Parameter> parameters;
+    for (const auto& value : response.values)
+      parameters.emplace_back(names[parameters.size()], ParameterValue(value));
+    return parameters;
+  };
+  return asked(*get_, [&](auto& request) { request.names = names; }, std::move(call), read);
+}
+
+std::shared_future<std::vector<AsyncParametersClient::Descriptor>> AsyncParametersClient::describe_parameters(
+    const std::vector<std::string>& names, Call<std::vector<Descriptor>> call)
+{
+  return asked(*describe_, [&](auto& request) { request.names = names; }, std::move(call),
+      [](const auto& response) { return response.descriptors; });
+}
+
+std::shared_future<std::vector<ParameterType>> AsyncParametersClient::get_parameter_types(
+    const std::vector<std::string>& names, Call<std::vector<ParameterType>> call)
+{
+  auto read = [](const auto& response)
+  {
+    std::vector<ParameterType> types;
+    for (std::uint8_t type : response.types)
+      types.push_back(static_cast<ParameterType>(type));
+    return types;
+  };
+  return asked(*get_types_, [&](auto& request) { request.names = names; }, std::move(call), read);
+}
+
+std::shared_future<std::vector<AsyncParametersClient::Set>> AsyncParametersClient::set_parameters(
+    const std::vector<Parameter>& parameters, Call<std::vector<Set>> call)
+{
+  return asked(*set_, [&](auto& request) { request.parameters = messages(parameters); }, std::move(call),
+      [](const auto& response) { return response.results; });
+}
+
+std::shared_future<AsyncParametersClient::Set> AsyncParametersClient::set_parameters_atomically(
+    const std::vector<Parameter>& parameters, Call<Set> call)
+{
+  return asked(*set_atomically_, [&](auto& request) { request.parameters = messages(parameters); }, std::move(call),
+      [](const auto& response) { return response.result; });
+}
+
+std::shared_future<AsyncParametersClient::Listed> AsyncParametersClient::list_parameters(
+    const std::vector<std::string>& prefixes, std::uint64_t depth, Call<Listed> call)
+{
+  auto fill = [&](auto& request)
+  {
+    request.prefixes = prefixes;
+    request.depth = depth;
+  };
+  return asked(*list_, fill, std::move(call), [](const auto& response) { return response.result; });
+}
+
+bool AsyncParametersClient::service_is_ready() const
+{
+  const ClientBase* all[] = {get_.get(), get_types_.get(), set_.get(), list_.get(), describe_.get()};
+  return std::all_of(std::begin(all), std::end(all), [](const ClientBase* each) { return each->service_is_ready(); });
+}
+
+bool AsyncParametersClient::wait_for_service_nanoseconds(std::chrono::nanoseconds timeout)
+{
+  ClientBase* all[] = {get_.get(), get_types_.get(), set_.get(), list_.get(), describe_.get()};
+  std::int64_t end = later(rosspin::now(), timeout.count());
+  for (ClientBase* each : all)
+  {
+    std::int64_t left = timeout.count() < 0 ? timeout.count() : std::max<std::int64_t>(end - rosspin::now(), 0);
+    if (!each->wait_for_service(std::chrono::nanoseconds(left)))
+      return false;
+  }
+  return true;
+}
+
+namespace
+{
+template<class Handle>
+void removed(std::list<std::weak_ptr<Handle>>& all, const std::shared_ptr<Handle>& handle)
+{
+  auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.lock() == handle; });
+  if (found == all.end())
+    throw std::runtime_error("Callback doesn't exist");
+  all.erase(found);
+}
+}  // namespace
+
+ParameterEventCallbackHandle::SharedPtr ParameterEventHandler::add_parameter_event_callback(
+    ParameterEventCallbackType callback)
+{
+  auto handle = std::make_shared<ParameterEventCallbackHandle>();
+  handle->callback = std::move(callback);
+  callbacks_->of_events.push_front(handle);
+  return handle;
+}
+
+void ParameterEventHandler::remove_parameter_event_callback(ParameterEventCallbackHandle::SharedPtr handle)
+{
+  removed(callbacks_->of_events, handle);
+}
+
+ParameterCallbackHandle::SharedPtr ParameterEventHandler::add_parameter_callback(
+    const std::string& parameter_name, ParameterCallbackType callback, const std::string& node_name)
+{
+  std::string around = node_->get_namespace();
+  auto handle = std::make_shared<ParameterCallbackHandle>();
+  handle->parameter_name = parameter_name;
+  handle->node_name = node_name;
+  if (node_name.empty())
+    handle->node_name = node_->get_fully_qualified_name();
+  else if (node_name.front() != '/')
+    handle->node_name = (around == "/" ? around : around + "/") + node_name;
+  handle->callback = std::move(callback);
+  callbacks_->of_parameters.push_front(handle);
+  return handle;
+}
+
+void ParameterEventHandler::remove_parameter_callback(ParameterCallbackHandle::SharedPtr handle)
+{
+  removed(callbacks_->of_parameters, handle);
+}
+
+bool ParameterEventHandler::get_parameter_from_event(
+    const Event& event, Parameter& parameter, const std::string& parameter_name, const std::string& node_name)
+{
+  if (event.node != node_name)
+    return false;
+  for (const Parameter& each : get_parameters_from_event(event))
+    if (each.get_name() == parameter_name)
+    {
+      parameter = each;
+      return true;
+    }
+  return false;
+}
+
+Parameter ParameterEventHandler::get_parameter_from_event(
+    const Event& event, const std::string& parameter_name, const std::string& node_name)
+{
+  Parameter parameter(parameter_name);
+  if (!get_parameter_from_event(event, parameter, parameter_name, node_name) && event.node != node_name)
+    throw std::runtime_error("The node name '" + node_name + "' of parameter '" + parameter_name +
+                             "' doesn't match the node name '" + event.node + "' in parameter event");
+  return parameter;
+}
+
+std::vector<Parameter> ParameterEventHandler::get_parameters_from_event(const Event& event)
+{
+  std::vector<Parameter> found;
+  for (const auto* each : {&event.new_parameters, &event.changed_parameters})
+    for (const auto& message : *each)
+      found.push_back(Parameter::from_parameter_msg(message));
+  return found;
+}
+
+void ParameterEventHandler::Callbacks::call(const Event& event)
+{
+  Parameter parameter;
+  for (const auto& each : std::list<ParameterCallbackHandle::WeakPtr>(of_parameters))
+    if (auto handle = each.lock();
+        handle && get_parameter_from_event(event, parameter, handle->parameter_name, handle->node_name))
+      handle->callback(parameter);
+  for (const auto& each : std::list<ParameterEventCallbackHandle::WeakPtr>(of_events))
+    if (auto handle = each.lock())
+      handle->callback(event);
+}
 
 // --- wait sets (source: wait_set_template.hpp, sequential_synchronization.hpp) ---
 

@@ -80,7 +80,7 @@ public:
   using OnSetParametersCallbackType = OnSetParametersCallbackHandle::OnSetParametersCallbackType;
   using PostSetParametersCallbackType = std::function<void(const std::vector<Parameter>&)>;
 
-  NodeParametersInterface(const NodeBaseInterface& node, const NodeOptions& options);
+  NodeParametersInterface(NodeBaseInterface::SharedPtr node, Clock::SharedPtr clock, const NodeOptions& options);
   const ParameterValue& declare_parameter(const std::string& name, const ParameterValue& default_value,
       const Descriptor& descriptor = Descriptor(), bool ignore_override = false);
   const ParameterValue& declare_parameter(const std::string& name, ParameterType type,
@@ -131,14 +131,22 @@ private:
   };
   typedef std::map<std::string, Info> Infos;
   struct Changing;
+  // Offer a service; what is not declared gives an empty answer.
+  template<class S, class Answer>
+  void offer(const char* name, Answer answer);
+  void offer_all();
+  void publish(rcl_interfaces::msg::ParameterEvent event) const;
   const ParameterValue& declare(const std::string& name, ParameterType type, const ParameterValue& default_value,
       Descriptor descriptor, bool ignore_override);
   Result start(const std::string& name, const ParameterValue& default_value, const Descriptor& descriptor, Infos& into,
       bool with_callbacks, bool ignore_override);
   Result set(const std::vector<Parameter>& parameters, Infos& infos, bool with_callbacks, bool allow_undeclared);
+  NodeBaseInterface::SharedPtr node_;
+  Clock::SharedPtr clock_;
+  std::vector<std::shared_ptr<ServiceBase>> services_;
   Infos all_;
   std::map<std::string, ParameterValue> overrides_;
-  bool allow_undeclared_, changing_ = false;
+  bool allow_undeclared_, tells_, changing_ = false;
 };
 }  // namespace node_interfaces
 
@@ -613,9 +621,6 @@ typename WallTimer<Callback>::SharedPtr create_wall_timer(std::chrono::duration<
 
 // --- what is not simulated ---
 
-class ROSSPIN_NOT_SIMULATED("rclcpp::AsyncParametersClient") AsyncParametersClient;
-class ROSSPIN_NOT_SIMULATED("rclcpp::SyncParametersClient") SyncParametersClient;
-class ROSSPIN_NOT_SIMULATED("rclcpp::ParameterEventHandler") ParameterEventHandler;
 class ROSSPIN_NOT_SIMULATED("rclcpp::GenericPublisher") GenericPublisher;
 class ROSSPIN_NOT_SIMULATED("rclcpp::GenericSubscription") GenericSubscription;
 class ROSSPIN_NOT_SIMULATED("rclcpp::SerializedMessage") SerializedMessage;

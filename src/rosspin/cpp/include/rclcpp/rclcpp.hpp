@@ -9,7 +9,8 @@
 #include <iostream>
 #include <memory>
 
-#include "rclcpp/executors.hpp"
+#include "rclcpp/parameter_client.hpp"
+#include "rclcpp/parameter_event_handler.hpp"
 #include "rclcpp/wait_set.hpp"
 #include "rcutils/cmdline_parser.h"
 #include "rcutils/logging_macros.h"
