@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .orders.exploring import Exploration, explore, explored
-    from .results.ticks import Call, Message, Mishap, Run, Tick
+    from .results.ticks import Call, FaultEvent, Message, Run, Tick
     from .run.explain import TimeStandsStill
     from .run.roslaunch.launch import Node
     from .run.simulate import simulate
@@ -28,7 +28,7 @@ _MODULES = {
     "run.explain": ("TimeStandsStill",),
     "run.simulate": ("simulate",),
     "run.steps": ("NodeFailed", "StartedNode", "start"),
-    "results.ticks": ("Call", "Message", "Mishap", "Run", "Tick"),
+    "results.ticks": ("Call", "Message", "FaultEvent", "Run", "Tick"),
     "run.wall": ("measure",),
     "world.world": ("NotSimulated",),
 }
@@ -37,7 +37,7 @@ __all__ = [
     "Call",
     "Exploration",
     "Message",
-    "Mishap",
+    "FaultEvent",
     "Node",
     "NodeFailed",
     "NotSimulated",

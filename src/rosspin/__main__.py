@@ -32,7 +32,7 @@ from .plots import both_orders, overview, picture, pictures
 from .real import ros1, ros2
 from .results.folders import sweep
 from .results.saving import save_whole
-from .results.ticks import Mishap, Run, Tick
+from .results.ticks import FaultEvent, Run, Tick
 from .run.explain import say_error
 from .run.host import Result, duration
 from .run.kinds import language_of
@@ -290,7 +290,7 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     with guarded:
         result = _result(options, args, record=options.plot is not None)
     status = result.status
-    faults = result.host.recording.mishaps() if options.fault and isinstance(result, Result) else ()
+    faults = result.host.recording.fault_events() if options.fault and isinstance(result, Result) else ()
     if faults:
         sys.stdout.flush()
         print(f"rosspin: {describe_faults(faults)}", file=sys.stderr)
@@ -380,7 +380,7 @@ def _save(path: str, draw: Callable[[], Any]) -> int:
     return 0
 
 
-def _picture(ticks: Sequence[Tick], faults: Sequence[Mishap]) -> Any:
+def _picture(ticks: Sequence[Tick], faults: Sequence[FaultEvent]) -> Any:
     if not ticks:
         raise ValueError("the node did not tick")
     return picture(ticks, faults=faults)
@@ -408,7 +408,7 @@ def _plot_orders(options: argparse.Namespace, args: Sequence[str]) -> int:
     return 0
 
 
-def _plot(ticks: Sequence[Tick], faults: Sequence[Mishap], path: str) -> int:
+def _plot(ticks: Sequence[Tick], faults: Sequence[FaultEvent], path: str) -> int:
     """Save and describe the plot. Returns an exit status."""
     if failed := _save(path, lambda: _picture(ticks, faults)):
         return failed

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 from statistics import median
 
-from .results.ticks import Message, Mishap, Tick
+from .results.ticks import FaultEvent, Message, Tick
 
 __all__ = [
     "by_source",
@@ -235,18 +235,18 @@ def describe_lateness(ticks: Sequence[Tick]) -> str:
     return f"Half of the {len(late)} ticks were at most {say_time(middle)} late{most}; the latest was {latest}."
 
 
-def mishaps_by_name(faults: Sequence[Mishap]) -> dict[str, list[Mishap]]:
+def fault_events_by_name(faults: Sequence[FaultEvent]) -> dict[str, list[FaultEvent]]:
     """Group what faults did by what it was and to which it was done: ``/scan from /lidar to /robot dropped``."""
-    groups: dict[str, list[Mishap]] = {}
+    groups: dict[str, list[FaultEvent]] = {}
     for fault in faults:
         groups.setdefault(f"{fault.which} {fault.what}", []).append(fault)
     return groups
 
 
-def describe_faults(faults: Sequence[Mishap]) -> str:
+def describe_faults(faults: Sequence[FaultEvent]) -> str:
     """Describe what faults did in a sentence: to which, how often, by how much, when. Nothing, if they did nothing."""
     said = []
-    for name, group in mishaps_by_name(faults).items():
+    for name, group in fault_events_by_name(faults).items():
         least, most = (say_time(by) for by in (min(each.by for each in group), max(each.by for each in group)))
         by = "" if most == "0 s" == least else f" by {least}" if least == most else f" by {least} to {most}"
         first, last = group[0].time, group[-1].time

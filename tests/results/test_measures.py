@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tree import ROOT
 
-from rosspin import Mishap, Tick, simulate
+from rosspin import FaultEvent, Tick, simulate
 from rosspin.measures import (
     describe_faults,
     describe_lateness,
@@ -210,9 +210,9 @@ def test_calls_at_once_are_counted() -> None:
 
 def test_what_faults_did_is_said() -> None:
     assert describe_faults([]) == ""
-    assert describe_faults([Mishap(2.0, "killed", "/camera")]) == "Faults: /camera killed at 2.000 s."
-    dropped = [Mishap(time, "dropped", "/scan from /a to /b") for time in (0.1, 0.4, 2.0)]
-    slowed = [Mishap(time, "slowed", "/b on_scan", 0.05) for time in (1.0, 3.0)]
+    assert describe_faults([FaultEvent(2.0, "killed", "/camera")]) == "Faults: /camera killed at 2.000 s."
+    dropped = [FaultEvent(time, "dropped", "/scan from /a to /b") for time in (0.1, 0.4, 2.0)]
+    slowed = [FaultEvent(time, "slowed", "/b on_scan", 0.05) for time in (1.0, 3.0)]
     assert describe_faults([dropped[0], *slowed, *dropped[1:]]) == (
         "Faults: /scan from /a to /b dropped 3 times from 0.100 s to 2.000 s; "
         "/b on_scan slowed by 50 ms 2 times from 1.000 s to 3.000 s."

@@ -23,7 +23,7 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 
-from rosspin import Mishap, Run, Tick, plots, simulate
+from rosspin import FaultEvent, Run, Tick, plots, simulate
 from rosspin.plots import Movable, picture, pictures, with_handle
 from rosspin.plots.pictures import alternative, figure_of, page, save
 
@@ -575,16 +575,16 @@ def test_what_a_handle_says_is_text(runs: dict[float, list[Tick]]) -> None:
 
 # --- what went wrong on purpose ---------------------------------------------------------------------------------------
 
-MISHAPS = (
-    Mishap(0.5, "delayed", "/scan from /a to /b", 0.25),
-    Mishap(1.0, "delayed", "/scan from /a to /b", 0.125),
-    Mishap(1.5, "killed", "/b"),
-    Mishap(1.75, "set", "the clock", -0.5),
+FAULT_EVENTS = (
+    FaultEvent(0.5, "delayed", "/scan from /a to /b", 0.25),
+    FaultEvent(1.0, "delayed", "/scan from /a to /b", 0.125),
+    FaultEvent(1.5, "killed", "/b"),
+    FaultEvent(1.75, "set", "the clock", -0.5),
 )
 
 
 def test_faults_have_rows_below_the_ticks() -> None:
-    run = Run("", ticks(), 0, "simulated", 2.0, faults=MISHAPS)
+    run = Run("", ticks(), 0, "simulated", 2.0, faults=FAULT_EVENTS)
     ax = timeline(run)
     names = [label.get_text() for label in ax.get_yticklabels()]
     assert names == ["timerCallback", "/scan from /a to /b delayed", "/b killed", "the clock set"]
@@ -598,7 +598,7 @@ def test_faults_have_rows_below_the_ticks() -> None:
 
 
 def test_a_picture_has_room_for_them_and_takes_them_with_bare_ticks() -> None:
-    plain, wrong = picture(ticks()), picture(ticks(), faults=MISHAPS)
+    plain, wrong = picture(ticks()), picture(ticks(), faults=FAULT_EVENTS)
     assert wrong.get_figheight() > 2 * plain.get_figheight()
     assert "killed" in alternative(wrong) and "Faults" not in alternative(plain)
 
@@ -606,7 +606,7 @@ def test_a_picture_has_room_for_them_and_takes_them_with_bare_ticks() -> None:
 def test_runs_with_faults_are_compared_by_their_names() -> None:
     runs = {
         "as usual": Run("", ticks(), 0, "simulated", 2.0),
-        "broken": Run("", ticks(), 0, "simulated", 2.0, faults=MISHAPS),
+        "broken": Run("", ticks(), 0, "simulated", 2.0, faults=FAULT_EVENTS),
     }
     names = [label.get_text() for label in compare(runs).get_yticklabels()]
     assert names[:3] == ["as usual", "broken", "broken: /scan from /a to /b delayed"]

@@ -176,6 +176,7 @@ class Simulation:
 
     def be_late(self, draw: Callable[[], int]) -> None:
         """Let each sleep, and each wait with a limit, end ``draw()`` ns later than it should."""
+        # Methods are replaced, since to ask in each sleep would cost all runs a part of a tick.
         sleep, wait = self.sleep, self.wait
         self.is_late = True
         self.sleep = lambda ns: sleep(ns + draw() if ns > 0 else ns)  # type: ignore[method-assign]

@@ -94,7 +94,7 @@ class Engine:
     def note(self, fault: Fault, *words: Any, **more: Any) -> None:
         """Record what a fault does."""
         self._happened.add(id(fault))
-        self.recording.add_mishap(*words, **more)
+        self.recording.add_fault_event(*words, **more)
 
     def fits(self, until: int) -> None:
         """Raise ValueError for what should happen after the end of the run, ``until`` (ns after its start)."""

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ..measures import by_source, describe_faults, describe_lateness, describe_periods, periods
-from ..results.ticks import Mishap, Run, Tick
+from ..results.ticks import FaultEvent, Run, Tick
 from ..vehicle.drives import NODE, Drive
 from . import pictures
 from .driven import ROAD, draw_off, draw_way
@@ -64,7 +64,7 @@ def timeline(
     kinds: int = KINDS,
     end: float = 0.0,
     *,
-    faults: Sequence[Mishap] = (),
+    faults: Sequence[FaultEvent] = (),
     caption: str | None = None,
     ax: Axes | None = None,
 ) -> Axes:
@@ -92,7 +92,7 @@ def picture(
     kinds: int = KINDS,
     end: float = 0.0,
     *,
-    faults: Sequence[Mishap] = (),
+    faults: Sequence[FaultEvent] = (),
     caption: str | None = None,
 ) -> Figure:
     """Draw a :func:`timeline` in a figure that pyplot does not know: no window opens, and no one has to close it."""
@@ -289,7 +289,7 @@ def _caption(caption: str | None, ticks: Ticks) -> str:
     return caption if caption is not None else "simulated" if is_simulated else ""
 
 
-def _faults(ticks: Ticks, faults: Sequence[Mishap]) -> dict[str, Sequence[Mishap]]:
+def _faults(ticks: Ticks, faults: Sequence[FaultEvent]) -> dict[str, Sequence[FaultEvent]]:
     """Return what faults did, by the names of the runs that know it; those that are given have none."""
     named = ticks if isinstance(ticks, Mapping) else {"": ticks}
     return {"": faults} | {name: run.faults for name, run in named.items() if isinstance(run, Run) and run.faults}

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..measures import describe_pace, describe_timeline, lost, mishaps_by_name, verdict
-from ..results.ticks import Mishap, Tick
+from ..measures import describe_pace, describe_timeline, fault_events_by_name, lost, verdict
+from ..results.ticks import FaultEvent, Tick
 from . import layout, pictures
 from .layout import AXIS, KINDS, MANY, REACH, ROW, TICKS, TITLE, to_draw
 
@@ -102,11 +102,11 @@ def make_row(name: str, group: Sequence[Tick], period: float | None, coming: Seq
     return Row(name, "", times, [round(time, 6) for time in gone], ticks)
 
 
-def fault_rows(faults: Mapping[str, Sequence[Mishap]]) -> list[Row]:
+def fault_rows(faults: Mapping[str, Sequence[FaultEvent]]) -> list[Row]:
     """Make a row for each fault, by the names of the runs; one without a name is alone."""
     rows = []
-    for run, mishaps in faults.items():
-        for name, group in mishaps_by_name(mishaps).items():
+    for run, fault_events in faults.items():
+        for name, group in fault_events_by_name(fault_events).items():
             marks = [(round(each.time, 6), round(max(each.by, 0.0), 6)) for each in group if math.isfinite(each.time)]
             marks = [(time, 0.0 if group[0].what == "set" else by) for time, by in marks]
             rows.append(Row(f"{run}: {name}" if run else name, "", [], [], marks))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-__all__ = ["Call", "Message", "Mishap", "Run", "Tick"]
+__all__ = ["Call", "Message", "FaultEvent", "Run", "Tick"]
 
 
 class Tick(NamedTuple):
@@ -56,7 +56,7 @@ class Call(NamedTuple):
     response: Any
 
 
-class Mishap(NamedTuple):
+class FaultEvent(NamedTuple):
     """What a fault of ``faults=`` did: when (s since the run began), what, to which connection, node or callback.
 
     ``what`` is "dropped", "delayed" or "overtaken" (by a later message, and so thrown away) of a ``message``; "killed"
@@ -95,5 +95,5 @@ class Run:
     start: float = 0.0
     messages: Sequence[Message] = field(default=(), repr=False)
     calls: Sequence[Call] = field(default=(), repr=False)
-    faults: Sequence[Mishap] = field(default=(), repr=False)
+    faults: Sequence[FaultEvent] = field(default=(), repr=False)
     coming: Sequence[Tick] = field(default=(), repr=False)

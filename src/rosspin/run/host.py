@@ -475,7 +475,7 @@ class Result(NamedTuple):
             self.start,
             self.messages(),
             self.calls(),
-            recording.mishaps(),
+            recording.fault_events(),
             recording.coming(),
         )
 

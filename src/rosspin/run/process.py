@@ -65,7 +65,12 @@ class Slots:
         self.loggers = logging.root.manager.loggerDict
 
     def put_in_place(self) -> None:
-        """Put in place what was kept."""
+        """Put in place what was kept.
+
+        The environment and the root logger keep their identity, which other code refers to, and change their contents
+        as a whole. No thread of the run sees that halfway: only one of them continues at a time. One of the caller's
+        that logs meanwhile is given what the node has, as with ``sys.stdout``.
+        """
         (
             sys.argv,
             sys.path,

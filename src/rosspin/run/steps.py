@@ -112,7 +112,7 @@ class StartedNode:
         self._testers: dict[int, Any] = {}
         self._now = 0
         self._messages: list[Message] = []  # all of the run
-        self._mishaps = 0  # how many were told
+        self._fault_events = 0  # how many were told
         self._closed = False
         self._raised: set[int] = set()  # the identities of the nodes' errors that were raised
         self._status_raised = False
@@ -313,14 +313,14 @@ class StartedNode:
         __tracebackhide__ = True
         recording = self._host.recording
         before = len(self._capture), len(recording.log or ()), len(self._messages), len(recording)
-        mishaps, time = self._mishaps, self._now
+        fault_events, time = self._fault_events, self._now
         try:
             with self._inside():
                 go_on()
         except Exception as failure:
             raise failure.with_traceback(self._trace or failure.__traceback__)
         self._messages += recording.messages(len(self._messages))
-        self._mishaps = recording.mishap_count
+        self._fault_events = recording.fault_event_count
         failed = [(process, error) for process in self._host.processes for error in process.world.errors]
         failed = [each for each in failed if id(each[1]) not in self._raised]
         self._raised |= {id(error) for _, error in failed}  # unique: the worlds keep these errors
@@ -344,13 +344,13 @@ class StartedNode:
             when = f"after Ctrl-C at {self.time} s" if self._closed else f"at {self.time} s"
             lines = self._capture.text().splitlines()[-_LINES:]
             raise NodeFailed("\n".join([f"{name} {how} {when}", *lines])) from (errors[0] if errors else None)
-        return self._run_since(*before, mishaps, time)
+        return self._run_since(*before, fault_events, time)
 
     def _is_end(self, process: Process, error: BaseException) -> bool:
         """Whether an error is how a node of ROS 2 ends at Ctrl-C."""
         return isinstance(error, KeyboardInterrupt) and process.raises_at_ctrl_c and not self._failed(process)
 
-    def _run_since(self, piece: int, tick: int, message: int, call: int, mishap: int, time: int) -> Run:
+    def _run_since(self, piece: int, tick: int, message: int, call: int, fault_event: int, time: int) -> Run:
         """Return what the node has done since ``time`` (ns): its ticks, messages and so on, from these numbers on."""
         return Run(
             self._capture.text(piece),
@@ -361,7 +361,7 @@ class StartedNode:
             0.0,
             tuple(self._messages[message:]),
             self._host.recording.calls(call),
-            self._host.recording.mishaps(mishap),
+            self._host.recording.fault_events(fault_event),
             self._host.recording.coming(),
         )
 

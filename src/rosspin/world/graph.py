@@ -16,7 +16,7 @@ from weakref import WeakSet
 
 from ..clocks.clock import NS, Clock
 from ..clocks.frames import Trail
-from ..results.ticks import Call, Message, Mishap, Tick
+from ..results.ticks import Call, FaultEvent, Message, Tick
 from .watcher import Watcher
 
 __all__ = ["CallMade", "Counterpart", "End", "EndMade", "Faults", "Graph", "Published", "Recording", "TickLog", "Wire"]
@@ -264,7 +264,7 @@ class Recording:
         self.ends: list[EndMade] = []  # of topics, in the order in which they were made
         self._clock = clock
         self._calls: list[CallMade] = []
-        self._mishaps: list[tuple[int, str, str, int, Published | None]] = []
+        self._fault_events: list[tuple[int, str, str, int, Published | None]] = []
 
     def add_message(self, topic: str, node: str, make: Callable[[], Any]) -> None:
         """Record that ``node`` publishes, now, the message that ``make()`` returns."""
@@ -322,20 +322,20 @@ class Recording:
         topic, node, time, make = published
         return tuple.__new__(Message, (topic, node, (time - self.start) / NS, make()))  # as quick as in ``ticks``
 
-    def add_mishap(self, what: str, which: str, by: int = 0, message: Published | None = None) -> None:
+    def add_fault_event(self, what: str, which: str, by: int = 0, message: Published | None = None) -> None:
         """Record what a fault does, now; ``by`` is in ns."""
-        self._mishaps.append((self._clock.now(), what, which, by, message))
+        self._fault_events.append((self._clock.now(), what, which, by, message))
 
     @property
-    def mishap_count(self) -> int:
-        """How many mishaps are recorded."""
-        return len(self._mishaps)
+    def fault_event_count(self) -> int:
+        """How many fault events are recorded."""
+        return len(self._fault_events)
 
-    def mishaps(self, since: int = 0) -> tuple[Mishap, ...]:
-        """Return what faults did, from the mishap ``since`` on."""
+    def fault_events(self, since: int = 0) -> tuple[FaultEvent, ...]:
+        """Return what faults did, from the event ``since`` on."""
         return tuple(
-            Mishap((time - self.start) / NS, what, which, by / NS, message and self._message(message))
-            for time, what, which, by, message in self._mishaps[since:]
+            FaultEvent((time - self.start) / NS, what, which, by / NS, message and self._message(message))
+            for time, what, which, by, message in self._fault_events[since:]
         )
 
     def add_call(self, service: str, client: str, make_request: Callable[[], Any]) -> CallMade:
