@@ -8,7 +8,7 @@ import pytest
 from answers import TASKS
 from tree import ROOT
 
-from rosspin.exercises import check, judge, trace
+from rosspin.exercises import check, judge, trace, verdict
 from rosspin.exercises.own import FAULTS, Answer, Lesson
 
 NAMES = ["follow-the-line", "lose-the-line", "look-while-driving", "stop-when-blind", "stop-at-ctrl-c"]
@@ -55,7 +55,11 @@ def test_a_wrong_answer_is_told_what_is_wrong_with_it(task: Lesson, wrong: tuple
 
 def test_the_drive_is_judged_where_nothing_of_the_answer_runs() -> None:
     name, answer = FOLLOW.exercise.name, FOLLOW.written(FOLLOW.right[0])
-    assert judge(name, answer, trace(name, answer)) == check(name, answer)
+    traced = trace(name, answer)
+    feedback = judge(name, answer, traced)
+    assert feedback == check(name, answer)
+    off = verdict(name, answer, traced).off
+    assert off == round(feedback.drive.worst.off, 3) and off > 0
 
 
 @pytest.mark.parametrize(

@@ -103,13 +103,13 @@ def test_verdicts_come_into_the_table_and_what_was_hard() -> None:
     ada, ben = (row["number"] for row in shown["rows"])
     assert table.answer(ada, "slow-timer")["why"] == "It has 50001 characters; at most 50000 are judged."
     verdicts = [[ada, "slow-timer", "not yet", "too late", "h"], [ben, "slow-timer", "solved", "", ""]]
-    found = table.report([*verdicts, [ada, "ten-hertz", "solved", "", ""]])
+    found = table.report([*verdicts, [ada, "ten-hertz", "solved", "", "", 0.25]])
     assert found["hard"] == [["slow-timer", 2, 1, (("h", 1),)]]
     head, *rows = csv.reader(io.StringIO(found["csv"].removeprefix("\ufeff")))
     told = [dict(zip(head, row, strict=True)) for row in rows]
     assert [(row["name"], row["answers"], row["solved"]) for row in told] == [("Ada", "2", "1"), ("Ben", "2", "1")]
     assert (told[0]["slow-timer"], told[0]["slow-timer: why"], told[1]["ten-hertz"]) == ("not yet", "too late", "")
-    assert head[:3] == ["name", "student ID", "sent by"]
+    assert head[:3] == ["name", "student ID", "sent by"] and told[0]["ten-hertz: off (m)"] == "0.25"
 
 
 FULL = "this table has room for 1000 files, 10000 answers and 100 exercises; "

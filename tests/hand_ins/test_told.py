@@ -13,7 +13,7 @@ from tree import ROOT
 
 from rosspin.exercises import Verdict
 from rosspin.hand_ins.students import Class, Row
-from rosspin.hand_ins.told import PAGE_PYTHON, as_data, as_words, hard, say_python, say_unsealed, write_csv
+from rosspin.hand_ins.told import PAGE_PYTHON, as_csv, as_data, as_words, hard, say_python, say_unsealed, write_csv
 
 
 def a_class(*rows: tuple[str, dict[str, Verdict]]) -> Class:
@@ -43,6 +43,19 @@ def test_what_the_class_found_hard() -> None:
     )
     assert "\n".join(as_words(found)).endswith(words)
     assert as_data(found)["hard"][0]["hints"] == {"h1": 2, "h2": 1}
+
+
+def test_a_class_compares_how_far_its_vehicles_came_off_the_line() -> None:
+    found = a_class(
+        ("Ada", {"follow-the-line": told("solved")._replace(off=0.214), "slow-timer": told("solved")}),
+        ("Ben", {"follow-the-line": told("solved")._replace(off=0.05)}),
+        ("Cem", {"follow-the-line": told("not yet", "h")._replace(off=3.5)}),
+        ("Di", {"slow-timer": told("solved")}),
+    )
+    assert "follow-the-line, largest deviation: 0.05 m (Ben), 0.214 m (Ada)" in list(as_words(found))
+    head, *rows = as_csv(found)
+    assert head[-1] == "follow-the-line: off (m)" and [row[-1] for row in rows] == ["0.214", "0.05", "3.5", ""]
+    assert as_data(found)["students"][1]["answers"]["follow-the-line"]["off"] == 0.05
 
 
 PLAIN = ["", "Ada", "O'Neill", "Anna-Lena Groß-Gerau", "Nguyễn Thị Minh", "李雷", "علی\u200cرضا", 'Zoë "Z", jr.']

@@ -13,7 +13,10 @@ const READING = 600_000
 const MOST_SAID = RULES.handIns.said
 
 /** @typedef {import("./protocol.js").Verdict | "did not end" | "stopped"} Found of an answer */
-/** @typedef {{verdict: Found, said: string, why?: string, hint?: string}} Judgement why and hint: of a wrong answer */
+/**
+ * @typedef {{verdict: Found, said: string, why?: string, hint?: string, off?: number | null}} Judgement why and hint: of a
+ *   wrong answer; off: how far (m) its vehicle came off its line
+ */
 
 const NOT_JUDGED = "not judged"
 
@@ -129,11 +132,11 @@ export async function judge(base, exercise, text, stopped) {
     sandboxes.push(running, judging)
     const { trace } = await result(running, { kind: "trace", exercise, text }, stopped)
     running.end()
-    const { verdict, console, said, why, hint } = await result(judging, { kind: "judge", exercise, text, trace }, stopped)
+    const { verdict, console, said, why, hint, off } = await result(judging, { kind: "judge", exercise, text, trace }, stopped)
     sandboxes.pop()
     resting.push(judging)
     const shown = console.slice(0, Math.max(MOST_SAID - said.length, 0))
-    return { verdict, why, hint, said: [shown, said].filter(Boolean).join("\n").slice(0, MOST_SAID) }
+    return { verdict, why, hint, off, said: [shown, said].filter(Boolean).join("\n").slice(0, MOST_SAID) }
   } catch (error) {
     return error instanceof NoVerdict ? error.judgement : { verdict: NOT_JUDGED, said: String(error) }
   } finally {

@@ -20,7 +20,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{kind: "read", files: {path: string, file: Blob | null}[]}} ReadJob what students handed in, besides all before
  * @typedef {{kind: "answer", number: number, exercise: string}} AnswerJob to have one that was read
  * @typedef {{kind: "report", verdicts: (readonly [row: number, exercise: string, verdict: string, why: string,
- *   hint: string])[]}} ReportJob to have a table of all that was read
+ *   hint: string, off: number | null])[]}} ReportJob to have a table of all that was read
  * @typedef {RunJob | TraceJob | JudgeJob | LookJob | PinJob | ReadJob | AnswerJob | ReportJob} PythonJob
  * @typedef {PythonJob | CppJob | CompileJob} Job
  * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | null}} File what a sandbox needed; null: it cannot be had
@@ -42,7 +42,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{trace: string}} TraceResult
  * @typedef {"solved" | "not yet" | "open" | "to read" | "not judged"} Verdict
  * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string,
- *   why: string, hint: string, drive: Drive}} JudgeResult
+ *   why: string, hint: string, off: number | null, drive: Drive}} JudgeResult off: how far (m) a vehicle came off its line
  * @typedef {{title: string, certain: string, evidence: string[], page: string, series: string[]}} Fault that a log shows;
  *   page: the address, within the site, of what explains it
  * @typedef {{name: string, part: number, count: number, period: number, chosen: number, drift: number, usual: number,
@@ -229,9 +229,9 @@ const RUN = object(
 const JUDGE = object(
   {
     ...{ verdict: (value) => VERDICTS.includes(value), solved: truth, status: SENTENCE, console: TEXT, said: TEXT },
-    ...{ why: TEXT, hint: TEXT, drive: DRIVE },
+    ...{ why: TEXT, hint: TEXT, off: (value) => value === null || LENGTH(value), drive: DRIVE },
   },
-  { why: "", hint: "", drive: [] },
+  { why: "", hint: "", off: null, drive: [] },
 )
 
 /** What a table has room for: see rosspin/hand_ins/on_page.py. */

@@ -47,6 +47,8 @@ export class Answer {
   said = ""
   why = ""
   hint = ""
+  /** @type {number | null} */
+  off = null
 
   /**
    * @param {HandIn} row
@@ -196,7 +198,7 @@ export class Table {
 
   /**
    * @param {Answer} answer
-   * @param {{verdict: Verdict, said: string, why?: string, hint?: string}} found
+   * @param {{verdict: Verdict, said: string, why?: string, hint?: string, off?: number | null}} found
    */
   #become(answer, found) {
     Object.assign(answer, found)
@@ -236,7 +238,7 @@ export class Table {
   report() {
     const verdicts = this.answers
       .filter(({ isOpen }) => !isOpen)
-      .map(({ row, exercise, verdict, why, hint }) => /** @type {const} */ ([row.number, exercise, verdict, why, hint]))
+      .map(({ row, exercise, verdict, why, hint, off }) => /** @type {const} */ ([row.number, exercise, verdict, why, hint, off]))
     return this.#ask({ kind: "report", verdicts })
   }
 }

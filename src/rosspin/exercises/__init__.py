@@ -114,7 +114,8 @@ class Verdict(NamedTuple):
 
     The ``verdict`` is "solved", "not yet", "open" (not answered yet), "to read" (by the teacher, as not all of it was
     looked at) or "not judged". ``status`` is the verdict in a line, ``console`` what the answer printed, and ``said``
-    the feedback. Of an answer that is wrong, ``why`` is the first thing that is, and ``hint`` how to continue.
+    the feedback. Of an answer that is wrong, ``why`` is the first thing that is, and ``hint`` how to continue. If
+    a vehicle ran with it, ``off`` is how far (m) that came off its line in the first run.
     """
 
     verdict: str
@@ -124,6 +125,7 @@ class Verdict(NamedTuple):
     said: str
     why: str = ""
     hint: str = ""
+    off: float | None = None
 
 
 def verdict(which: int | str, answer: str, traced: str) -> Verdict:
@@ -139,7 +141,8 @@ def verdict(which: int | str, answer: str, traced: str) -> Verdict:
     kind = _kind(feedback)
     wrong = [finding.text for finding in feedback.findings if finding.right is False]
     why, hint = (_plain(wrong[0]), _plain(feedback.hint)) if kind == "not yet" else ("", "")
-    return Verdict(kind, feedback.passed, feedback.verdict, feedback.console, said, why, hint)
+    off = round(feedback.drive.worst.off, 3) if feedback.drive.spots else None
+    return Verdict(kind, feedback.passed, feedback.verdict, feedback.console, said, why, hint, off)
 
 
 def _plain(text: str) -> str:

@@ -79,8 +79,8 @@ class Table:
         return {"text": text[:MOST_ANSWER], "why": too_long(text)}
 
     def report(self, verdicts: Sequence[Sequence[Any]]) -> dict[str, Any]:
-        """Tell what came of all: each verdict with the number of its row, its exercise, the reason and the hint."""
-        for number, exercise, verdict, why, hint in verdicts:
-            self._rows[number].verdicts[exercise] = Verdict(verdict, verdict == "solved", "", "", "", why, hint)
+        """Tell what came of all: each verdict after the number of its row and its exercise, then reason, hint and ``off``."""
+        for number, exercise, verdict, *more in verdicts:
+            self._rows[number].verdicts[exercise] = Verdict(verdict, verdict == "solved", "", "", "", *more)
         missed = [[each.exercise, each.answered, each.solved, each.hints[:_MOST_HINTS]] for each in hard(self._class)]
         return {"csv": write_csv(as_csv(self._class)).decode(), "hard": missed}

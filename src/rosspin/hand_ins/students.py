@@ -72,6 +72,11 @@ class Row:
         """How many answers are right."""
         return sum(verdict.solved for verdict in self.verdicts.values())
 
+    def off(self, exercise: str) -> float | None:
+        """How far (m) the vehicle came off its line; None if there is no verdict, or no vehicle."""
+        verdict = self.verdicts.get(exercise)
+        return verdict.off if verdict else None
+
 
 class _Owner(NamedTuple):
     """Whose a file is, by the names of its folders and of itself: whoever ``sent`` it, or the folder that it is in.

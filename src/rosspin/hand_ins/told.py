@@ -58,11 +58,21 @@ def as_words(found: Class) -> Iterator[str]:
             yield from (f"  {line}" for line in verdict.said.splitlines())
     for row in found.rows:
         yield f"{_line(row)}{'; NOT sealed' if found.why_unsealed else ''}"
+    yield from _closest(found)
     if len(found.rows) > 1 and (missed := hard(found)):
         yield "What was hard:"
         for name, _, answered, solved, hints in missed:
             yield f"  {name}: {solved} of {answered} solved"
             yield from (f"    {count} × {hint}" for hint, count in hints[:3])
+
+
+def _closest(found: Class) -> Iterator[str]:
+    """Compare the vehicles of those who have solved an exercise, the one that stayed closest to its line first."""
+    for name in found.exercises:
+        solved = [row for row in found.rows if name in row.verdicts and row.verdicts[name].solved]
+        drives = sorted((off, row.name) for row in solved if (off := row.off(name)) is not None)
+        if len(drives) > 1:
+            yield f"{name}, largest deviation: {', '.join(f'{off:g} m ({who})' for off, who in drives)}"
 
 
 def _line(row: Row) -> str:
@@ -80,16 +90,21 @@ def _line(row: Row) -> str:
 def as_csv(found: Class) -> list[list[str | int]]:
     """Return the table: a row for each student, a column for each exercise, and then one for each reason."""
     names = found.exercises
+    driven = [name for name in names if any(row.off(name) is not None for row in found.rows)]
     head = ["name", "student ID", "sent by", "sender ID", "late", "file", "note", "date"]
     head += ["same browser as", "same name in another browser", "sealed", "answers", "solved"]
-    rows: list[list[str | int]] = [[*head, *names, *(f"{name}: why" for name in names)]]
+    rows: list[list[str | int]] = [
+        [*head, *names, *(f"{name}: why" for name in names), *(f"{name}: off (m)" for name in driven)]
+    ]
     for row, others, namesakes in found.beside():
         verdicts = [row.verdicts.get(name) for name in names]
         sent = [row.sender, row.sender_id, "late" if row.late else ""]
         about = [row.name, row.student, *sent, row.file, row.note, row.when, ", ".join(others), ", ".join(namesakes)]
         about.append("NO" if found.why_unsealed else "yes")
         said = [each.verdict if each else "" for each in verdicts]
-        rows.append([*about, len(row.answers), row.solved, *said, *(each.why if each else "" for each in verdicts)])
+        said += [each.why if each else "" for each in verdicts]
+        offs = ("" if (off := row.off(name)) is None else f"{off:g}" for name in driven)
+        rows.append([*about, len(row.answers), row.solved, *said, *offs])
     told = {row.file for row in found.rows if row.note}
     rows += [["", "", "", "", "", file, f"refused: {why}"] for file, why in found.refused if file not in told]
     return [[*row, *[""] * (len(rows[0]) - len(row))] for row in rows]
@@ -135,7 +150,7 @@ def as_data(found: Class) -> dict[str, Any]:
                 "date": row.date.isoformat() if row.date else None,
                 "solved": row.solved,
                 "answers": {
-                    name: {key: verdict._asdict()[key] for key in ("verdict", "solved", "why", "hint", "said")}
+                    name: {key: verdict._asdict()[key] for key in ("verdict", "solved", "why", "hint", "off", "said")}
                     for name, verdict in row.verdicts.items()
                 },
             }
