@@ -17,7 +17,7 @@ const SCENES = {
   steps: [[0.5, "said", [0], [[0, -1, 3]], ["runs"]]],
   rings: [{ links: [["slow", "waits"]], to: 0 }],
 }
-const VERDICT = { verdict: "solved", solved: true, status: "right", console: "", said: "", why: "", hint: "", drive: [] }
+const VERDICT = { verdict: "solved", solved: true, status: "right", console: "", said: "", why: "", hint: "", off: null, drive: [] }
 const FAULT = { title: "Late", certain: "sure", evidence: ["It is."], page: "docs/a-b.html#c-d", series: ["a: #"] }
 const SERIES = {
   name: "a: #", part: 0, count: 2, period: 0.1, chosen: 0.1, drift: 0, usual: 0.001, lost: 1,

@@ -152,7 +152,7 @@ test("what is reported are the verdicts, with the reasons, on the rows that are 
   handedIn("a", { answers: { "e-a": "not yet", "e-b": "endless" } })
   await drop()
   await table.report()
-  assert.deepEqual(told, [[0, "e-a", "not yet", "why", ""]])
+  assert.deepEqual(told, [[0, "e-a", "not yet", "why", "", null]])
   table.stop()
   await drop()
 })

@@ -79,7 +79,7 @@ class Table:
         return {"text": text[:MOST_ANSWER], "why": too_long(text)}
 
     def report(self, verdicts: Sequence[Sequence[Any]]) -> dict[str, Any]:
-        """Tell what came of all: each verdict after the number of its row and its exercise, then reason, hint and ``off``."""
+        """Tell what came of all: by row and exercise the verdict, the reason, the hint, and ``off``."""
         for number, exercise, verdict, *more in verdicts:
             self._rows[number].verdicts[exercise] = Verdict(verdict, verdict == "solved", "", "", "", *more)
         missed = [[each.exercise, each.answered, each.solved, each.hints[:_MOST_HINTS]] for each in hard(self._class)]

@@ -239,12 +239,12 @@ class _Node(Node):
         self._rosspin.nudge = feed  # type: ignore[method-assign]
 
     def tell_parameter_event(self, data: bytes) -> None:
-        """Publish which parameters have changed, if anybody has looked."""
+        """Publish which parameters have changed, if something has looked."""
         if publisher := self._parameter_event_publisher:
             publisher.publish(data)
 
     def _rosspin_tell_parameters(self, *changed: object) -> None:
-        """Those of the program are told of; it has the same as this node from the beginning."""
+        """Tell of the ones that the program makes; it has the same as this node from the beginning."""
 
     def tell_events(self) -> None:
         """Log what did not match."""
