@@ -126,6 +126,85 @@ def test_python_hears_cpp_and_cpp_hears_python() -> None:
     assert "[SUBSCRIBER CPP NODE] counter = 3" in run.console
 
 
+SERVES = """\
+#include "ros/ros.h"
+#include "std_srvs/SetBool.h"
+bool set(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response)
+{
+  response.message = request.data ? "on" : "off";
+  return request.data;
+}
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "serves");
+  ros::NodeHandle nh;
+  ros::ServiceServer server = nh.advertiseService("set", set);
+  ros::spin();
+}
+"""
+
+CALLS = """\
+#include "ros/ros.h"
+#include "std_srvs/SetBool.h"
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "calls");
+  ros::NodeHandle nh;
+  ros::ServiceClient client = nh.serviceClient<std_srvs::SetBool>("set");
+  client.waitForExistence();
+  std_srvs::SetBool service;
+  for (bool value : {true, false})
+  {
+    service.request.data = value;
+    bool ok = client.call(service);
+    std::printf("%d %s\\n", ok, service.response.message.c_str());
+  }
+}
+"""
+
+SERVES_PY = """\
+import rospy
+from std_srvs.srv import SetBool
+
+rospy.init_node("serves")
+rospy.Service("set", SetBool, lambda request: (True, "on") if request.data else None)
+rospy.spin()
+"""
+
+CALLS_PY = """\
+import rospy
+from std_srvs.srv import SetBool
+
+rospy.init_node("calls")
+rospy.wait_for_service("set")
+call = rospy.ServiceProxy("set", SetBool)
+print(call(True).message)
+try:
+    call(False)
+except rospy.ServiceException as error:
+    print(error)
+"""
+
+
+@pytest.mark.parametrize(
+    ("serves", "calls", "said"),
+    [
+        (SERVES, CALLS, ["1 on", "0 on"]),
+        (SERVES, CALLS_PY, ["on", "service [/set] responded with an error: b''"]),
+        (SERVES_PY, CALLS, ["1 on", "0 on"]),
+    ],
+    ids=["cpp", "python_calls", "python_serves"],
+)
+def test_a_service_of_another_node(write: Write, serves: str, calls: str, said: list[str]) -> None:
+    """As run on Debian's roscpp and rospy."""
+    files = [
+        write(text, f"{name}.{'py' if 'rospy' in text else 'cpp'}")
+        for name, text in (("serves", serves), ("calls", calls))
+    ]
+    lines = simulate(list(map(str, files)), 2.0).console.splitlines()
+    assert [line for line in lines if "[ERROR]" not in line][:2] == said
+
+
 @pytest.mark.parametrize(
     ("body", "status", "said"),
     [
@@ -227,13 +306,17 @@ int main(int argc, char** argv)
   float narrow[] = {wide, 2 * wide};
   register int count = 3;
   asked(count);
+  assert(narrow[1] > 0);
   std::printf("%.1f\\n", narrow[1]);
 }
 """
 
 
 def test_what_gxx_lets_pass_is_let_pass(write: Write) -> None:
-    """It warns of what narrows, of a register and of a lacking return; run on Debian, built by catkin_make."""
+    """It warns of what narrows, of a register and of a lacking return; the real headers bring assert.
+
+    Run on Debian, built by catkin_make.
+    """
     assert simulate(write(GXX, "node.cpp"), 1.0).console == "asked 3\n2.0\n"
 
 
@@ -311,9 +394,9 @@ ASYNC = """
         ("<thread>", "std::thread([] {}).join();", "std::thread"),
         ("<ros/package.h>", 'ros::package::getPath("roscpp");', "ros::package::getPath"),
         (
-            '"ros/ros.h"',
-            'ros::init(argc, argv, "node"); ros::NodeHandle().advertiseService("name", main);',
-            "ros::NodeHandle::advertiseService",
+            '"std_msgs/String.h"',
+            'ros::NodeHandle().advertise<std_msgs::String>("name", 1, ros::SubscriberStatusCallback());',
+            "ros::NodeHandle::advertise with a callback for connections",
         ),
         (
             '"ros/ros.h"',

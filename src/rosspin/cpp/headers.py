@@ -127,9 +127,10 @@ def _definitions(header: str, library: Library) -> list[Definition]:
     """Return what a header defines, a message or the parts of a service; nothing if it is of no message."""
     if library.ros == 1:
         match = re.fullmatch(r"(\w+)/(\w+)\.h", header)
-        if match and match[2] in library.names(match[1]):
-            return [library.definition(f"{match[1]}/{match[2]}")]
-        return []
+        if not match or match[2] not in library.names(match[1]) + library.names(match[1], "srv"):
+            return []
+        parts = ("",) if match[2] in library.names(match[1]) else ("Request", "Response")
+        return [library.definition(f"{match[1]}/{match[2]}{part}") for part in parts]
     match = re.fullmatch(r"(\w+)/(msg|srv)/(\w+)\.hpp", header)
     if not match:
         return []
@@ -157,14 +158,14 @@ def _header(file: str, definitions: Sequence[Definition], nested: Sequence[str],
     guard = re.sub(r"\W", "_", f"rosspin_message_{file}").upper()
     folder = file.split("/")[1]
     lines = [
-        f"// Made from the definition of {definitions[0].name.removesuffix('_Request')}.",
+        f"// Made from the definition of {definitions[0].name.removesuffix('Request').removesuffix('_')}.",
         f"#ifndef {guard}",
         f"#define {guard}",
         *(f'#include "{name}"' for name in ["ros/message.h" if ros == 1 else "rclcpp/message.hpp", *nested]),
         f"namespace {package}" if ros == 1 else f"namespace {package}::{folder}",
         "{",
         *(line for definition in definitions for line in _struct(definition, folder, ros)),
-        *(_service(definitions[0]) if len(definitions) > 1 else ()),
+        *(_service(definitions[0], ros) if len(definitions) > 1 else ()),
         "}",
         "#endif",
     ]
@@ -192,8 +193,12 @@ def _struct(definition: Definition, folder: str, ros: int) -> Iterator[str]:
     yield from ("  }", "};", f"ROSSPIN_MESSAGE({name})")
 
 
-def _service(request: Definition) -> Iterator[str]:
-    package, _, name = request.name.removesuffix("_Request").partition("/")
+def _service(request: Definition, ros: int) -> Iterator[str]:
+    package, _, name = request.name.removesuffix("Request").removesuffix("_").partition("/")
+    if ros == 1:
+        yield from (f"struct {name}", "{", f"  typedef {name}Request Request;", f"  typedef {name}Response Response;")
+        yield from ("  Request request;", "  Response response;", "};")
+        return
     yield from (f"struct {name}", "{", f'  static constexpr const char* rosspin_type = "{package}/srv/{name}";')
     yield from (f"  using Request = {name}_Request;", f"  using Response = {name}_Response;", "};")
 

@@ -6,13 +6,19 @@ stand-in: both find each other on one graph, connect by the same rules, and have
 
 from __future__ import annotations
 
+import queue
+import threading
 from collections.abc import Callable, Mapping
 from importlib import import_module
+from itertools import count
 from typing import Any
 
 from ..messages.ros1 import Message
 from ..rospy import client
+from ..rospy.exceptions import TransportException
 from ..rospy.msg import AnyMsg
+from ..rospy.service import Connection as Calls
+from ..rospy.service import Service, ServiceException, ServiceProxy, Services
 from ..rospy.state import State
 from ..rospy.topics import Connection, Publication, Publisher, Subscriber, Subscription
 from ..world.world import NotSimulated, World
@@ -30,12 +36,18 @@ class Ros1:
         self._event = event
         self._publishers: list[Publisher] = []
         self._subscribers: list[Subscriber] = []
+        self._services: dict[str, _Service] = {}
+        self._proxies: dict[int, _Proxy] = {}
+        self._numbers = count()
+        self._lines: dict[int, queue.SimpleQueue[tuple[bool, bytes]]] = {}  # for what it answers
         self._asked: dict[str, Callable[..., Any]] = {
             "init": self._init,
             "advertise": self._advertise,
             "subscribers": lambda number: self._publishers[number].get_num_connections(),
             "subscribe": self._subscribe,
             "publishers": lambda number: self._subscribers[number].get_num_connections(),
+            "advertise_service": self._advertise_service,
+            "service_exists": lambda name: name in self._node.master.services,
             "get_param": lambda name: client.get_param(name, None),
             "set_param": client.set_param,
             "has_param": client.has_param,
@@ -47,6 +59,9 @@ class Ros1:
             "publish": self._publish,
             "unadvertise": lambda number: self._publishers[number].unregister(),
             "unsubscribe": lambda number: self._subscribers[number].unregister(),
+            "unadvertise_service": lambda name: self._services.pop(name).shutdown(),
+            "respond": lambda number, is_ok, data: self._lines.pop(number).put((is_ok, data)),
+            "call": self._call,
             "shutdown": self._shutdown,
         }
 
@@ -97,6 +112,35 @@ class Ros1:
         self._subscribers.append(_Subscriber(topic, _bytes_of(_class(kind)), receive))
         return number
 
+    # --- services ---
+
+    def _advertise_service(self, name: str, request: str) -> None:
+        self._services[name] = _Service(name, _service(request), self._answer)
+
+    def _answer(self, name: str, data: bytes, caller: str) -> tuple[bool, bytes]:
+        """Give a request to the program, and wait for its response: whether it is one, and its bytes."""
+        number, line = next(self._numbers), queue.SimpleQueue[tuple[bool, bytes]]()
+        self._lines[number] = line
+        self._event("request", [name, number, data, caller])
+        return line.get()
+
+    def _call(self, number: int, client: int, persistent: bool, name: str, request: str, data: bytes) -> None:
+        proxy = self._proxies.get(client) or _Proxy(name, _service(request), persistent)
+        self._proxies[client] = proxy
+
+        def call() -> None:
+            try:
+                message = proxy.request_class().deserialize(data)
+                connection = proxy._connection or proxy._connect(self._node, message)
+                proxy.seq += 1
+                connection.ask(self._node.name, self._world.recording, proxy.seq, message)
+                is_error, answer = connection.next_answer()
+                self._event("response", [number, True, not is_error, answer])
+            except (ServiceException, TransportException):
+                self._event("response", [number, False, False, b""])
+
+        self._world.start(threading.Thread(target=call, daemon=True))
+
     # --- parameters ---
 
     def _delete_param(self, name: str) -> bool:
@@ -113,8 +157,8 @@ def _search_param(namespace: str, name: str) -> str | None:
         return name if client.has_param(name) else None
     first = name.partition("/")[0]
     parts = [part for part in namespace.split("/") if part]
-    for count in range(len(parts), -1, -1):
-        around = "/".join(["", *parts[:count], ""])
+    for above in range(len(parts), -1, -1):
+        around = "/".join(["", *parts[:above], ""])
         if client.has_param(around + first):
             return around + name
     return None
@@ -141,11 +185,21 @@ def _class(kind: str) -> type[Message]:
     return found
 
 
+def _service(request: str) -> Any:
+    """Return the class of the service that has a request, as in std_srvs/TriggerRequest."""
+    package, _, name = request.removesuffix("Request").partition("/")
+    return getattr(import_module(f"{package}.srv"), name)
+
+
 def _bytes_of(data_class: type[Message]) -> type[AnyMsg]:
     """Make a class of messages that are left as the bytes that they are sent as, but only of one type."""
     fields = ("_type", "_md5sum", "_full_text")
     own = {name: getattr(data_class, name) for name in fields}
     return type(data_class.__name__, (AnyMsg,), {"__slots__": [], **own})
+
+
+def _ignore(request: object) -> None:
+    """Stand in for a handler: the program is asked otherwise."""
 
 
 class _Local(Connection):
@@ -178,3 +232,27 @@ class _Subscription(Subscription):
 
 class _Subscriber(Subscriber):
     _rosspin_end = _Subscription
+
+
+class _Service(Service):
+    """A service of a C++ node: ``ask`` gives the program a request."""
+
+    def __init__(self, name: str, service_class: Any, ask: Callable[[str, bytes, str], tuple[bool, bytes]]) -> None:
+        super().__init__(name, service_class, _ignore)
+        self._ask = ask
+
+    def _answer(self, connection: Calls) -> None:
+        data, call = connection.next_request()
+        is_ok, response = self._ask(self.resolved_name, data, connection.header["callerid"])
+        if is_ok:
+            connection.answer(self, self.response_class().deserialize(response), call)
+        else:
+            connection.refuse(self, response.decode(errors="replace"), call)
+
+
+class _Proxy(ServiceProxy):
+    """Calls a service for a C++ node, which has waited for as long as the search takes."""
+
+    def _rosspin_find(self, node: State) -> Services | None:
+        found: Services | None = node.master.services.get(self.resolved_name)
+        return found

@@ -437,7 +437,7 @@ class ServiceProxy(_Named):
         if request._type != self.request_class._type:
             kinds = f"[{type(request)}] does not match service type [{self.request_class}]"
             raise TypeError(f"request object type {kinds}")
-        if (server := _find(node, self.resolved_name)) is None:
+        if (server := self._rosspin_find(node)) is None:
             raise ServiceException(f"service [{self.resolved_name}] unavailable")
         own = {"callerid": node.name, "md5sum": self.service_class._md5sum, "service": self.resolved_name}
         connection = Connection(self.resolved_name, dict(sorted({**own, **self._headers}.items())))
@@ -448,6 +448,9 @@ class ServiceProxy(_Named):
         if self.persistent:
             self._connection = connection
         return connection
+
+    def _rosspin_find(self, node: State) -> Services | None:
+        return _find(node, self.resolved_name)
 
     def close(self) -> None:
         """Close the connection of a persistent proxy, for good: it cannot be called any more."""

@@ -5,6 +5,8 @@ export class Ros1 {
   #name = ""
   #publications = []
   #subscriptions = []
+  #services = new Map() // their names and those of their requests
+  #calls = [] // the numbers that the node has for them
   #parameters = {}
   #event
 
@@ -29,6 +31,8 @@ export class Ros1 {
     },
     subscribers: (number) => BigInt(this.#others(this.#subscriptions, this.#publications[number]).length),
     publishers: (number) => BigInt(this.#others(this.#publications, this.#subscriptions[number]).length),
+    advertise_service: (name, request) => void this.#services.set(name, request),
+    service_exists: (name) => this.#services.has(name),
     get_param: (name) => parts(name).reduce((at, part) => at?.[part], this.#parameters),
     has_param: (name) => this.asked.get_param(name) !== undefined,
     set_param: (name, value) => {
@@ -66,6 +70,12 @@ export class Ros1 {
     },
     unadvertise: (number) => (this.#publications[number].ended = true),
     unsubscribe: (number) => (this.#subscriptions[number].ended = true),
+    unadvertise_service: (name) => this.#services.delete(name),
+    call: (number, _client, _persistent, name, request, data) => {
+      if (this.#services.get(name) !== request) this.#event("response", [number, false, false, ""])
+      else this.#event("request", [name, BigInt(this.#calls.push(number) - 1), data, this.#name])
+    },
+    respond: (number, isOk, data) => this.#event("response", [this.#calls[number], true, isOk, data]),
     shutdown: () => this.#event("shutdown", []),
   }
 

@@ -16,6 +16,9 @@ struct Node
   console::Level level = console::levels::Info;
   CallbackQueue queue;
   std::vector<detail::SubscriptionImpl*> subscriptions;
+  std::map<std::string, detail::ServiceImpl*> services;
+  std::int64_t calls = 0;
+  std::map<std::int64_t, rosspin::Value> responses;  // to calls that wait
   bool time = false;
   std::vector<detail::Spinning*> spinners;  // that have started
   bool in_spinner = false;  // one of these is calling
@@ -298,6 +301,11 @@ void received(const std::string& what, std::int64_t when, const rosspin::Value& 
 {
   if (what == "shutdown")
     requestShutdown();
+  if (what == "request")
+    if (auto found = node().services.find(values.items[0].string); found != node().services.end())
+      found->second->receive({values.items[1].whole, values.items[2].string, values.items[3].string});
+  if (what == "response")
+    node().responses[values.items[0].whole] = values;
   if (what != "message")
     return;
   auto message = boost::make_shared<detail::Received>();
@@ -939,6 +947,108 @@ void SubscriptionImpl::receive(const boost::shared_ptr<Received>& message)
   queue_->addCallback(waiting_, reinterpret_cast<std::uintptr_t>(this));
 }
 
+// --- services (sources: service_publication.cpp, service_client.cpp, service_server_link.cpp, service.cpp) ---
+
+namespace
+{
+constexpr std::int64_t find_service = 3'000'000;  // how long it takes, as for rospy's stand-in
+
+rosspin::Value data_of(const std::string& bytes)
+{
+  rosspin::Value data;
+  data.kind = rosspin::Value::bytes;
+  data.string = bytes;
+  return data;
+}
+}  // namespace
+
+struct ServiceImpl::Call : CallbackInterface
+{
+  Asked asked;
+  boost::shared_ptr<Answer> answer;
+  Tracked tracked;
+  CallResult call() override
+  {
+    VoidConstPtr held;
+    std::string response;
+    bool ok = false;
+    if (*answer && tracked.lives(held))
+      try
+      {
+        ok = (*answer)(asked, response);
+        if (!ok)
+          response.clear();
+      }
+      catch (const std::exception& error)
+      {
+        response = error.what();
+        ROS_ERROR("Exception thrown while processing service call: %s", error.what());
+      }
+    rosspin::tell("respond", {asked.number, ok, data_of(response)});
+    return Success;
+  }
+};
+
+ServiceImpl::ServiceImpl(const std::string& name, const char* request_type, Answer answer, Tracked tracked,
+    CallbackQueueInterface* queue)
+  : name(name), answer_(boost::make_shared<Answer>(std::move(answer))), tracked_(std::move(tracked)), queue_(queue)
+{
+  rosspin::ask("advertise_service", {name, request_type});
+  node().services[name] = this;
+}
+
+void ServiceImpl::end()
+{
+  if (ended)
+    return;
+  ended = true;
+  *answer_ = nullptr;
+  node().services.erase(name);
+  if (node().ok)
+    rosspin::tell("unadvertise_service", {name});
+}
+
+void ServiceImpl::receive(const Asked& request)
+{
+  call_due_timers();
+  auto call = boost::make_shared<Call>();
+  call->asked = request;
+  call->answer = answer_;
+  call->tracked = tracked_;
+  queue_->addCallback(call, reinterpret_cast<std::uintptr_t>(this));
+}
+
+ClientImpl::ClientImpl(const std::string& name, bool persistent) : name(name), persistent(persistent)
+{
+  static std::int64_t count = 0;
+  id_ = count++;
+}
+
+bool ClientImpl::call(const char* request_type, const std::string& request, std::string& response)
+{
+  Node& self = node();
+  if (ended || !self.ok)
+    return false;
+  if (!connected || !persistent)
+    pause(rosspin::now() + find_service);
+  std::int64_t number = self.calls++;
+  rosspin::tell("call", {number, id_, persistent, name, request_type, data_of(request)});
+  while (self.ok && !self.responses.count(number))
+    if (!call_in_spinner())
+      rosspin::wait(next_timer());
+  auto found = self.responses.find(number);
+  if (found == self.responses.end())
+    return false;
+  rosspin::Value values = found->second;
+  self.responses.erase(found);
+  connected = values.items[1].flag;
+  bool ok = values.items[2].flag;
+  response = values.items[3].string;
+  if (!ok && !response.empty())
+    ROS_ERROR("Service call failed: service [%s] responded with an error: %s", name.c_str(), response.c_str());
+  return ok;
+}
+
 // --- parameters ---
 
 bool read(const rosspin::Value& value, std::string& out)
@@ -1117,6 +1227,60 @@ Subscriber NodeHandle::subscribed(const std::string& topic, const char* type, st
   keep(impl);
   return Subscriber(impl);
 }
+
+ServiceServer NodeHandle::advertiseService(AdvertiseServiceOptions& options)
+{
+  std::string name = resolveName(options.service);
+  if (node().services.count(name))
+  {
+    ROS_ERROR("Tried to advertise a service that is already advertised in this node [%s]", name.c_str());
+    return ServiceServer();
+  }
+  auto impl = boost::make_shared<detail::ServiceImpl>(name, options.datatype, options.answer,
+      detail::Tracked(options.tracked_object), options.callback_queue ? options.callback_queue : getCallbackQueue());
+  keep(impl);
+  return ServiceServer(impl);
+}
+
+ServiceClient NodeHandle::client(const std::string& name, bool persistent)
+{
+  auto impl = boost::make_shared<detail::ClientImpl>(resolveName(name), persistent);
+  keep(impl);
+  return ServiceClient(impl);
+}
+
+bool ServiceClient::exists() { return impl_ && service::exists(impl_->name, false); }
+
+bool ServiceClient::waitForExistence(Duration timeout) { return impl_ && service::waitForService(impl_->name, timeout); }
+
+namespace service
+{
+bool exists(const std::string& name, bool print_failure_reason)
+{
+  std::string whole = names::resolve(name);
+  rosspin::look();
+  bool found = node().ok && rosspin::ask("service_exists", {whole}).flag;
+  if (!found && print_failure_reason)
+    ROS_INFO("waitForService: Service [%s] has not been advertised, waiting...", whole.c_str());
+  return found;
+}
+
+bool waitForService(const std::string& name, Duration timeout)
+{
+  bool printed = false, found = false;
+  Time begun = Time::now();
+  while (ok() && !(found = exists(name, !printed)))
+  {
+    printed = true;
+    if (timeout >= Duration(0) && Time::now() - begun >= timeout)
+      return false;
+    Duration(0.02).sleep();
+  }
+  if (printed && ok())
+    ROS_INFO("waitForService: Service [%s] is now available.", names::resolve(name).c_str());
+  return found;
+}
+}  // namespace service
 
 void Publisher::send(const char* type, const std::string& bytes) const
 {

@@ -2,7 +2,6 @@
 #ifndef ROSSPIN_RCLCPP_RCLCPP_HPP
 #define ROSSPIN_RCLCPP_RCLCPP_HPP
 
-#include <cassert>
 #include <cinttypes>
 #include <csignal>
 #include <iomanip>

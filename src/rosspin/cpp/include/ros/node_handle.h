@@ -3,7 +3,7 @@
 #define ROSSPIN_ROS_NODE_HANDLE_H
 
 #include "ros/ros.h"
-#include "ros/topics.h"
+#include "ros/services.h"
 
 namespace ros
 {
@@ -262,12 +262,67 @@ public:
 
   // --- services ---
 
-  template<class... Arguments>
-  ServiceServer advertiseService(const Arguments&...) ROSSPIN_NOT_SIMULATED("ros::NodeHandle::advertiseService");
-  template<class M, class N, class... Arguments>
-  ServiceServer advertiseService(const Arguments&...) ROSSPIN_NOT_SIMULATED("ros::NodeHandle::advertiseService");
-  template<class S, class... Arguments>
-  ServiceClient serviceClient(const Arguments&...) ROSSPIN_NOT_SIMULATED("ros::NodeHandle::serviceClient");
+  template<class T, class MReq, class MRes>
+  ServiceServer advertiseService(const std::string& service, bool (T::*callback)(MReq&, MRes&), T* object)
+  {
+    return advertiseService<MReq, MRes>(
+        service, [=](MReq& request, MRes& response) { return (object->*callback)(request, response); });
+  }
+  template<class T, class MReq, class MRes>
+  ServiceServer advertiseService(
+      const std::string& service, bool (T::*callback)(MReq&, MRes&), const boost::shared_ptr<T>& object)
+  {
+    T* raw = object.get();
+    return advertiseService<MReq, MRes>(
+        service, [=](MReq& request, MRes& response) { return (raw->*callback)(request, response); }, object);
+  }
+  template<class T, class MReq, class MRes>
+  ServiceServer advertiseService(
+      const std::string& service, bool (T::*callback)(ServiceEvent<MReq, MRes>&), T* object)
+  {
+    return advertiseService<ServiceEvent<MReq, MRes>>(
+        service, [=](ServiceEvent<MReq, MRes>& event) { return (object->*callback)(event); });
+  }
+  template<class MReq, class MRes>
+  ServiceServer advertiseService(const std::string& service, bool (*callback)(MReq&, MRes&))
+  {
+    return advertiseService<MReq, MRes>(service, boost::function<bool(MReq&, MRes&)>(callback));
+  }
+  template<class MReq, class MRes>
+  ServiceServer advertiseService(const std::string& service, bool (*callback)(ServiceEvent<MReq, MRes>&))
+  {
+    typedef ServiceEvent<MReq, MRes> Event;
+    return advertiseService<Event>(service, boost::function<bool(Event&)>(callback));
+  }
+  template<class MReq, class MRes>
+  ServiceServer advertiseService(const std::string& service, const boost::function<bool(MReq&, MRes&)>& callback,
+      const VoidConstPtr& tracked = VoidConstPtr())
+  {
+    AdvertiseServiceOptions options;
+    options.init<MReq, MRes>(service, callback);
+    options.tracked_object = tracked;
+    return advertiseService(options);
+  }
+  template<class Event>
+  ServiceServer advertiseService(const std::string& service, const boost::function<bool(Event&)>& callback,
+      const VoidConstPtr& tracked = VoidConstPtr())
+  {
+    AdvertiseServiceOptions options;
+    options.initBySpecType<Event>(service, callback);
+    options.tracked_object = tracked;
+    return advertiseService(options);
+  }
+  ServiceServer advertiseService(AdvertiseServiceOptions& options);
+  template<class MReq, class MRes>
+  ServiceClient serviceClient(const std::string& name, bool persistent = false, const M_string& = M_string())
+  {
+    return client(name, persistent);
+  }
+  template<class S>
+  ServiceClient serviceClient(const std::string& name, bool persistent = false, const M_string& = M_string())
+  {
+    return client(name, persistent);
+  }
 
   // --- parameters ---
 
@@ -336,6 +391,7 @@ private:
   Subscriber subscribed(const std::string& topic, const char* type, std::uint32_t queue_size,
       std::function<void(detail::Received&)> receive, const VoidConstPtr& tracked, CallbackQueueInterface* queue);
   void keep(const boost::shared_ptr<detail::Kept>& one);
+  ServiceClient client(const std::string& name, bool persistent);
 
   std::string namespace_, unresolved_;
   M_string remappings_;
@@ -377,12 +433,21 @@ boost::shared_ptr<M const> waitForMessage(const std::string& topic, NodeHandle& 
 
 namespace service
 {
-template<class... Arguments>
-bool call(Arguments&...) ROSSPIN_NOT_SIMULATED("ros::service::call");
-template<class... Arguments>
-bool waitForService(const Arguments&...) ROSSPIN_NOT_SIMULATED("ros::service::waitForService");
-template<class... Arguments>
-bool exists(const Arguments&...) ROSSPIN_NOT_SIMULATED("ros::service::exists");
+template<class MReq, class MRes>
+bool call(const std::string& name, MReq& request, MRes& response)
+{
+  return NodeHandle().serviceClient<MReq, MRes>(names::resolve(name)).call(request, response);
+}
+template<class S>
+bool call(const std::string& name, S& service)
+{
+  return call(name, service.request, service.response);
+}
+template<class S>
+ServiceClient createClient(const std::string& name, bool persistent = false)
+{
+  return NodeHandle().serviceClient<S>(names::resolve(name), persistent);
+}
 }  // namespace service
 
 namespace master

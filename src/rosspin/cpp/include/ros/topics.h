@@ -232,13 +232,6 @@ private:
   boost::shared_ptr<detail::SubscriptionImpl> impl_;
 };
 
-class ServiceServer
-{
-};
-class ServiceClient
-{
-};
-
 struct AdvertiseOptions
 {
   AdvertiseOptions() = default;

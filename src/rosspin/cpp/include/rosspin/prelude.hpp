@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -31,7 +32,6 @@
 #include <utility>
 #include <vector>
 #include <unistd.h>
-
 
 // As glibc names them.
 typedef unsigned int uint;
