@@ -84,6 +84,20 @@ rclpy.spin(node)
 """
 
 
+WAITS = """
+  auto node = std::make_shared<rclcpp::Node>("waits");
+  rclcpp::SyncParametersClient client(node, "holder");
+  bool found = client.wait_for_service(std::chrono::seconds(2));
+  std::printf("%d %d %d\\n", found, client.get_parameter<int>("whole"), node->now().seconds() < 0.3);
+"""
+
+
+def test_cpp_finds_the_parameters_of_another_process_soon(write: Write) -> None:
+    """It waits for them as long as to find them takes, not for the whole of its timeout."""
+    run = simulate([str(write(HOLDS, "holds.cpp")), str(write(main(WAITS), "waits.cpp"))], 3.0)
+    assert run.console.splitlines()[0] == "1 5 1"
+
+
 def test_python_asks_for_parameters_of_cpp(write: Write) -> None:
     run = simulate([str(write(HOLDS, "holds.cpp")), str(write(ASKS, "asks.py"))], 1.5)
     assert run.console.splitlines()[:2] == ["[0, 5]", "/holder [('whole', 6)]"]

@@ -15,6 +15,7 @@ from tree import ROOT
 
 from rosspin import NotSimulated, TimeStandsStill, simulate
 from rosspin.cpp import nodejs
+from rosspin.faults import Service
 from rosspin.results.recordings import load
 
 Write = Callable[[str, str], Path]
@@ -203,6 +204,12 @@ def test_a_service_of_another_node(write: Write, serves: str, calls: str, said: 
     ]
     lines = simulate(list(map(str, files)), 2.0).console.splitlines()
     assert [line for line in lines if "[ERROR]" not in line][:2] == said
+
+
+def test_a_fault_delays_a_call(write: Write) -> None:
+    pair = [str(write(SERVES, "serves.cpp")), str(write(CALLS, "calls.cpp"))]
+    run = simulate(pair, 3.0, faults=[Service("/set", request_delay=0.5)])
+    assert [(each.asked, each.answered) for each in run.calls] == [(0.003, 0.503), (0.506, 1.006)]
 
 
 @pytest.mark.parametrize(

@@ -33,7 +33,10 @@ class Tester(tester.Tester):
 
     def publication(self, subscription: Any) -> Publication:
         """Return the tester's end for a subscription."""
-        key = subscription.topic, subscription.data_class
+        kind = subscription.data_class
+        if issubclass(kind, AnyMsg) and kind is not AnyMsg:  # a C++ node reads it
+            kind = self._messages[kind._type]
+        key = subscription.topic, kind
         if key not in self._publications:
             self._publications[key] = _Publication(self._node, *key)
         return self._publications[key]
