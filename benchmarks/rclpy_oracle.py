@@ -274,7 +274,7 @@ class _ActionEnd(Handle):
     """rcl_action: three services, or clients of these, which are ready if the wait set has found them so."""
 
     def __init__(self, node: Node, name: str, kind: Callable[..., Any]) -> None:
-        self.name = name
+        self.name, self.context = name, node.context
         self.ends = [kind(node, None, f"{name}/_action/{part}", None) for part in ("goal", "cancel", "result")]
         self.heard: list[Heard] = []
         _actions.append(self)
@@ -340,9 +340,15 @@ class ActionServer(_ActionEnd):
         return response
 
     def publish_feedback(self, message: Any) -> None:
+        self._check("Failed to publish feedback with an action server")
         self._tell(0, message)
 
+    def _check(self, failed: str) -> None:
+        if not self.context.valid:
+            raise RCLError(f"{failed}: feedback publisher is invalid")
+
     def publish_status(self) -> None:
+        self._check("Failed get goal status array")
         types = import_module("action_msgs.msg")
         found = [types.GoalStatus(goal_info=goal.info, status=goal.status) for goal in self.goals]
         self._tell(1, types.GoalStatusArray(status_list=found))

@@ -165,3 +165,31 @@ def test_a_goal_after_one_that_is_not_cancelled_is_passed_over(write: Any) -> No
         print(len(asked), len(answer.goals_canceling), sorted(goal.status for goal in goals))
     """)
     assert simulate(node, 5).console == "2 2 [1, 1, 3]\n"
+
+
+AFTER_SHUTDOWN = """
+import rclpy
+from rclpy.action import ActionClient, ActionServer
+from test_msgs.action import Fibonacci
+rclpy.init()
+node = rclpy.create_node("node")
+def execute(goal):
+    rclpy.shutdown()
+    for act in (goal.abort, lambda: goal.publish_feedback(Fibonacci.Feedback())):
+        try:
+            act()
+        except Exception as error:
+            print(type(error).__name__, error)
+    return Fibonacci.Result()
+server = ActionServer(node, Fibonacci, "fib", execute)
+ActionClient(node, Fibonacci, "fib").send_goal_async(Fibonacci.Goal())
+rclpy.spin(node)
+"""
+
+
+def test_after_shutdown_a_goal_says_nothing_more(write: Any) -> None:
+    """As on the real rclpy 7.1.6, which adds a line of its source."""
+    assert simulate(write(AFTER_SHUTDOWN), 1.0).console.splitlines() == [
+        "RCLError Failed get goal status array: feedback publisher is invalid",
+        "RCLError Failed to publish feedback with an action server: feedback publisher is invalid",
+    ]

@@ -525,7 +525,13 @@ class ActionServer(_ActionEnd):
         if not self._rosspin.is_destroyed:
             self._rosspin_results_asked.send_response(future.result(), header)
 
+    def _rosspin_check(self, failed: str) -> None:
+        """Raise RCLError once the context has ended (source: rcl_action/action_server.c)."""
+        if not self._node.context.ok():
+            raise RCLError(f"{failed}: feedback publisher is invalid")
+
     def _rosspin_publish_status(self) -> None:
+        self._rosspin_check("Failed get goal status array")
         kind = import_module("action_msgs.msg").GoalStatus
         found = [kind(goal_info=each._goal_info, status=each.status) for each in self._goal_handles.values()]
         self._rosspin_status.publish(self._action_type.Impl.GoalStatusMessage(status_list=found))
@@ -534,6 +540,7 @@ class ActionServer(_ActionEnd):
         if not isinstance(feedback, self._action_type.Feedback):
             raise TypeError()
         if handle._rosspin_status is not _Status.UNKNOWN:
+            self._rosspin_check("Failed to publish feedback with an action server")
             kind = self._action_type.Impl.FeedbackMessage
             self._rosspin_feedback.publish(kind(goal_id=handle.goal_id, feedback=feedback))
 
