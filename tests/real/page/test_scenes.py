@@ -96,6 +96,7 @@ def test_a_page_with_scenes_is_accessible(page: Page, address: str) -> None:
 def test_a_run_in_the_page(page: Page, address: str) -> None:
     """A node that hangs: who waits for whom is drawn below it, and the reader can see how it came to that."""
     page.goto(address + HANGS)
+    unfold(page)
     cell = Cell(page, 0)
     assert cell.button("Step through this").is_hidden()
     cell.run(2.5)
@@ -119,6 +120,7 @@ def test_a_run_in_the_page(page: Page, address: str) -> None:
 def test_the_open_editor_marks_the_line_that_runs(page: Page, address: str) -> None:
     """As long as it has the text that ran."""
     page.goto(address + HANGS)
+    unfold(page)
     cell = Cell(page, 0)
     cell.run(2.5)
     cell.ends("done")
