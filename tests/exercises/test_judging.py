@@ -62,6 +62,7 @@ def test_each_verdict(tmp_path: Path) -> None:
         "console": console,
         "why": "",
         "hint": "",
+        "off": None,
         "drive": [],
     }
     wrong = verdict("ten-hertz", "\n1 / 0", tmp_path)
