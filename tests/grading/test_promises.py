@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from textwrap import dedent, indent
 
 import pytest
 from tree import ROOT, TESTS
@@ -50,7 +51,8 @@ HELD = {
 
 def table() -> dict[str, dict[str, str]]:
     """The cells, by their rows and columns."""
-    (text,) = re.findall(r"^   :class: rosspin-promises\n\n(.*?)\n\n(?=\S)", PAGE, re.MULTILINE | re.DOTALL)
+    (text,) = re.findall(r":class: rosspin-promises\n\n(.*?)\n\n(?=\S)", PAGE, re.DOTALL)
+    text = indent(dedent(text), "   ")
     (_, *columns), *rows = ([cell.strip() for cell in row.split("\n     - ")] for row in text.split("   * - ")[1:])
     return {name: dict(zip(columns, cells, strict=True)) for name, *cells in rows}
 
