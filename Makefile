@@ -109,7 +109,7 @@ test: $(VENV:=-for-test) $(NPM)-for-test html
 	"$(BIN)/ruff" check
 	"$(BIN)/mypy" & typed=$$!; $(call SPHINX,doctest) -W --keep-going $(SPHINXOPTS); examples=$$?; wait $$typed && exit $$examples
 	$(call PYTEST,2)
-	$(if $(ROSSPIN_REQUIRE),$(call PYTEST,6) --share tests/real)
+	$(if $(ROSSPIN_REQUIRE),$(call PYTEST,4) --share tests/real)
 
 # The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
 # and the ledger of it, is rewritten; commit that.
