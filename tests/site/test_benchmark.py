@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import runpy
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ import threads
 import ticks
 import topics
 from rclpy_oracle import real_rclpy
+from tree import ROOT
 
 from rosspin import Run
 
@@ -87,6 +89,12 @@ def test_a_day_is_complete_and_leaves_no_memory() -> None:
     assert "at most 0.01" in memory
     held, left = day.memory(360.0)
     assert left < held / 10
+
+
+def test_a_process_that_a_part_spawns_measures_nothing(capfd: pytest.CaptureFixture[str]) -> None:
+    """It imports the file that was started."""
+    runpy.run_path(str(ROOT / "benchmarks/__main__.py"), run_name="__mp_main__")
+    assert capfd.readouterr().out == ""
 
 
 def test_a_day_that_lacks_a_counter_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
