@@ -197,7 +197,7 @@ except rospy.ServiceException as error:
     ids=["cpp", "python_calls", "python_serves"],
 )
 def test_a_service_of_another_node(write: Write, serves: str, calls: str, said: list[str]) -> None:
-    """As run on Debian's roscpp and rospy."""
+    """As run on Debian's roscpp and rospy where C++ serves; where Python does, it was run here only."""
     files = [
         write(text, f"{name}.{'py' if 'rospy' in text else 'cpp'}")
         for name, text in (("serves", serves), ("calls", calls))
