@@ -168,7 +168,7 @@ FIGURES = [
     Kind("docs/ros2/how-timing-works.html", 1, "The third pass takes", both_of_ros_2("rate_probe")),
     Kind("docs/ros2/from-ros-1.html", 0, "The third call takes", three("block_call:=3", seconds=6)),
     Kind("docs/ros2/from-ros-1.html", 1, "Every call takes", three(seconds=6)),
-    Kind("docs/ros2/tutorial.html", 0, "Time delta", spinner(SPINNER_ROS2, "timer_callback")),
+    Kind("docs/ros2/tutorial-timer.html", 0, "Time delta", spinner(SPINNER_ROS2, "timer_callback")),
     Kind("docs/slides/ros2.html", 0, "Time delta", spinner(SPINNER_ROS2, "timer_callback")),
     Kind("docs/slides/ros1.html", 0, "Time delta", spinner(SPINNER, "timerCallback")),
     Kind("docs/slides/ros1.html", 1, "The third call takes", probes("_block_call:=3", seconds=6)),

@@ -336,7 +336,7 @@ def test_a_ros_2_that_has_been_sourced(
 # --- the package ------------------------------------------------------------------------------------------------------
 
 
-TUTORIAL = (ROOT / "docs" / "ros2" / "tutorial.rst").read_text(encoding="utf-8")
+TUTORIAL = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "docs/ros2").glob("tutorial*.rst"))
 BASH = re.compile(r"^( *)\.\. code-block:: bash\n(?: +:caption: .*\n)?\n((?:\1   .*\n|\n)+)", re.MULTILINE)
 SAVED = re.compile(r"^ *\.\. literalinclude:: (.*)\n(?: +:(?!caption).*\n)* +:caption: (.*)", re.MULTILINE)
 # For a ROS 2 of the system's and the command ros2, which there need not be, or for nodes in C++.

@@ -22,7 +22,14 @@ COURSES += [(1, "I am taking the course on ROS 1")]
 FIRST_SCREEN = 100  # words
 
 
-@pytest.mark.parametrize("name", ["tutorial", "publish", "ros2/tutorial", "ros2/publish"])
+TUTORIALS = [
+    "tutorial",
+    "publish",
+    *(f"ros2/{name}" for name in ("tutorial", "tutorial-timer", "tutorial-rate", "publish")),
+]
+
+
+@pytest.mark.parametrize("name", TUTORIALS)
 def test_a_tutorial_has_code_on_its_first_screen(site: Path, name: str) -> None:
     article = parsed(site / f"docs/{name}.html").select_one("article")
     assert article

@@ -51,8 +51,8 @@ SPIN_FROM_ROS2 = {
     "steps_ros2/1_class.py": f"{_NODES_ROS2}/plain_py_node.py",
     "steps_ros2/2_callback.py": "steps_ros2/1_class.py",
     f"{_NODES_ROS2}/spinner_py_node.py": "steps_ros2/2_callback.py",
-    f"{_NODES_ROS2}/spinner_rate_py_node.py": f"{_NODES_ROS2}/plain_py_node.py",
 }
+RATE_FROM_ROS2 = {f"{_NODES_ROS2}/spinner_rate_py_node.py": f"{_NODES_ROS2}/plain_py_node.py"}
 PUBLISH_FROM_ROS2 = {
     f"{_NODES_ROS2}/{new}_py_node.py": f"{_NODES_ROS2}/{old}_py_node.py"
     for new, old in (("publisher", "spinner"), ("subscriber", "plain"))
@@ -64,7 +64,8 @@ PUBLISH_FROM_ROS2 |= {
 STARTS_FROM = {
     TUTORIAL: SPIN_FROM,
     PUBLISH: PUBLISH_FROM,
-    TUTORIAL_ROS2: SPIN_FROM_ROS2,
+    ROOT / "docs/ros2/tutorial-timer.rst": SPIN_FROM_ROS2,
+    ROOT / "docs/ros2/tutorial-rate.rst": RATE_FROM_ROS2,
     PUBLISH_ROS2: PUBLISH_FROM_ROS2,
     ROOT / "docs/how-to/message-type.rst": {f"{_NODES_ROS2}/stamped_py_node.py": f"{_NODES_ROS2}/publisher_py_node.py"},
 }

@@ -87,7 +87,7 @@ def test_a_page_shows_one_path_without_a_script() -> None:
         assert shown["data-path"] == "ros-2"
         onward[name] = _target(f"exercises/{name}", shown.select("a")[-1])
     assert list(onward.values()) == [f"exercises/{each}.html" for each in ("two-timers", "who-calls")] + [
-        "notebooks/ros2-rate.html"
+        "docs/ros2/tutorial-rate.html"
     ]
 
 

@@ -93,10 +93,14 @@ def test_a_package_that_is_not_installed_is_left_out() -> None:
 
 
 @pytest.mark.parametrize("page", PAGES[1:], ids=lambda page: page.stem)
-def test_each_page_says_where_to_go_next(page: Path) -> None:
-    text = page.read_text(encoding="utf-8")
-    _, _, rest = text.partition("Where next\n")
-    assert re.search(r"\]\([^)]+\.(md|rst)\)" if page.suffix == ".md" else r":(doc|ref):`", rest)
+def test_each_page_says_where_to_go_next(site: Path, page: Path) -> None:
+    """At its end, or next to its place on a path, which JupyterLab does not show."""
+    _, _, rest = page.read_text(encoding="utf-8").partition("Where next\n")
+    if page.suffix == ".md":
+        assert re.search(r"\]\([^)]+\.(md|rst)\)", rest)
+    else:
+        built = parsed(site / page.relative_to(ROOT).with_suffix(".html"))
+        assert re.search(r":(doc|ref):`", rest) or built.select(".rosspin-path:not([hidden]) a + a")
 
 
 def test_glossary_words_are_linked_to(site: Path) -> None:
