@@ -28,8 +28,6 @@ from rosspin.results.saving import save_whole
 DURATIONS: dict[str, float] = json.loads((TESTS / "durations.json").read_text(encoding="utf-8"))
 _took: defaultdict[str, float] = defaultdict(float)
 
-pytest_plugins = ["quiet_lane"]
-
 clean(os.environ)
 heed_ctrl_c()
 

@@ -48,7 +48,7 @@ def _recordings() -> Iterator[str]:
     batches = tomllib.loads(_LEDGER.read_text(encoding="utf-8")).get("confirmed", ())
     for ros in sorted({batch["ros"] for batch in batches}):
         own = [batch for batch in batches if batch["ros"] == ros]
-        count = sum(len(batch["hashes"]) for batch in own)
+        count = sum(len(batch["scenarios"]) for batch in own)
         oldest = min(own, key=lambda batch: batch["date"])
         confirmed = f"confirmed on {oldest['date']} or later by {oldest['version']}"
         yield f"recorded  ROS {ros}: {count} scenarios, {confirmed} (make judge)"

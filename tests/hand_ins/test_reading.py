@@ -265,19 +265,19 @@ def many_names(number: int, name: bytes = b"a") -> bytes:
 
 
 TOO_MUCH = {
-    "names": many_names(1_000_000),
-    "names of answers": many_names(100_000, b"slow-timer.py"),
-    "archives": zipped({f"{number}.zip": many_names(15_000) for number in range(20)}),
-    "within archives": zipped({"a.zip": zipped({"b.zip": many_names(300_000)})}),
-    "bytes": zipped({f"{number}.py": b"#" * 1_000_000 for number in range(60)}),
-    "zeros": zipped({"a.zip": bytes(300_000_000)}),
+    "names": lambda: many_names(1_000_000),
+    "names of answers": lambda: many_names(100_000, b"slow-timer.py"),
+    "archives": lambda: zipped({f"{number}.zip": many_names(15_000) for number in range(20)}),
+    "within archives": lambda: zipped({"a.zip": zipped({"b.zip": many_names(300_000)})}),
+    "bytes": lambda: zipped({f"{number}.py": b"#" * 1_000_000 for number in range(60)}),
+    "zeros": lambda: zipped({"a.zip": bytes(300_000_000)}),
 }
 
 
 @pytest.mark.parametrize("what", TOO_MUCH)
 def test_one_archive_with_too_much_in_it_costs_little_and_the_others_nothing(what: str, tmp_path: Path) -> None:
     right = zipped({"slow-timer.py": "x = 1"})
-    found = in_archive(zipped({"ada.zip": right, "eve.zip": TOO_MUCH[what], "zoe.zip": right}), tmp_path)
+    found = in_archive(zipped({"ada.zip": right, "eve.zip": TOO_MUCH[what](), "zoe.zip": right}), tmp_path)
     ada, *eve, zoe = found
     assert ada.data == zoe.data == b"x = 1" and zoe.parts == ("zoe.zip", "slow-timer.py")
     assert eve[-1].why == "there is too much in it" and len(eve) <= 20_000
@@ -287,7 +287,7 @@ def test_one_archive_with_too_much_in_it_costs_little_and_the_others_nothing(wha
 @pytest.mark.parametrize("what", ["names", "names of answers"])
 def test_too_much_in_all_is_said_once(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("rosspin.hand_ins.found.ON_DISK", ON_DISK._replace(entries=1000))
-    (file,) = in_archive(TOO_MUCH[what], tmp_path)
+    (file,) = in_archive(TOO_MUCH[what](), tmp_path)
     assert file.why == "there is too much in all; have it judged in parts"
     (tmp_path / "all").mkdir()
     for number in range(1001):

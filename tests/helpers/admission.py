@@ -26,7 +26,7 @@ class Admission:
     def wait(self) -> None:
         """Return when the next one may begin."""
         with self._door:
-            while _free() < FREE and self._patience > 0:
+            while self._patience > 0 and _free() < FREE:
                 self._patience -= WINDOW
 
     def open(self) -> None:

@@ -15,7 +15,6 @@ from typing import NamedTuple
 from unittest import mock
 
 from outcomes import CTRL_C, Outcome, differences, outcome
-from tree import HELPERS
 
 from rosspin import simulate
 
@@ -38,16 +37,6 @@ class Scenario(NamedTuple):
     @property
     def file(self) -> str:
         return self.path.stem
-
-    @property
-    def sources(self) -> list[Path]:
-        """The file."""
-        return [self.path]
-
-    @property
-    def harness(self) -> Path:
-        """What starts it and keeps the text."""
-        return HELPERS / "runtimes.py"
 
     @property
     def node_args(self) -> Args:

@@ -16,7 +16,7 @@ from typing import NamedTuple
 from corpus import Args
 from outcomes import Outcome, differences, outcome
 from runtimes import kept
-from tree import HELPERS, TESTS
+from tree import TESTS
 
 from rosspin import Node
 from rosspin.clocks.simulation import Simulation
@@ -26,13 +26,10 @@ from rosspin.run.roslaunch import launch
 from rosspin.run.simulate import run_nodes
 from rosspin.run.streams import capture
 
-__all__ = ["LEDGER", "PAIRS", "PAIR_LIST", "RENEW", "Pair", "differing", "read", "recorded", "run", "simulated"]
+__all__ = ["LEDGER", "PAIRS", "PAIR_LIST", "Pair", "differing", "read", "recorded", "run", "simulated"]
 
 PAIRS = TESTS / "scenarios_pairs"
 LEDGER = PAIRS / "ledger.toml"
-
-# What renews the recordings of a scenario.
-RENEW = ".venv/bin/pytest tests/real/judge/test_pairs.py -k {0.name}"
 
 LONGEST = 90.0  # s of a scenario that ends by itself, on a real ROS
 CTRL_C = 4.0  # s after the first line of those that Ctrl-C ends
@@ -68,11 +65,6 @@ class Pair(NamedTuple):
     def sources(self) -> list[Path]:
         """The files."""
         return list(self.files.values())
-
-    @property
-    def harness(self) -> Path:
-        """What starts it and keeps the text."""
-        return HELPERS / "corpus_pairs.py"
 
     @property
     def seconds(self) -> float:

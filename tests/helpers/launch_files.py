@@ -66,7 +66,7 @@ class Real:
 
 
 @contextmanager
-def on_roslaunch(folder: Path, names: Collection[str], patience: float) -> Iterator[Real]:
+def on_roslaunch(folder: Path, names: Collection[str], patience: float = 0.0) -> Iterator[Real]:
     """Launch files run there; no more wait for a free processor than ``patience`` (s) together."""
     package = folder / "launched"
     shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))

@@ -51,7 +51,7 @@ class Runs:
     A scenario says itself when it has stood still, but not if it ends immediately after that: then the control does.
     """
 
-    def __init__(self, runtimes: Iterable[str], cases: Sequence[Case], patience: float) -> None:
+    def __init__(self, runtimes: Iterable[str], cases: Sequence[Case], patience: float = 0.0) -> None:
         there = [name for name in runtimes if name not in LACKS or not LACKS[name]()]
         self._admission = Admission(patience)
         self._beside = _Beside()

@@ -1,8 +1,7 @@
-"""What holds the corpus of scenarios together: keys, ledger, expectations, verdicts on runs, and who may begin."""
+"""What holds the corpus of scenarios together: ledger, shares, expectations, verdicts on runs, and who may begin."""
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,92 +14,32 @@ import ledger
 import pytest
 import runs
 import sandboxes
-from corpus import Scenario, recorded, scenarios, simulated
+from corpus import Scenario, recorded, simulated
 from corpus_pairs import PAIR_LIST
-from ledger import Ledger, key, part, stand_in
+from ledger import Ledger
 from shares import is_left_out
 from verdicts import Inconclusive
 
 ALL = [*corpus_ros1.SCENARIO_LIST, *corpus_ros2.SCENARIO_LIST]
 BY_NAME = {scenario.name: scenario for scenario in ALL}
 
-VERSION = "rospy 1.15.15"
+# --- the ledger -------------------------------------------------------------------------------------------------------
 
 
-@pytest.fixture
-def scenario(tmp_path: Path) -> Scenario:
-    """A scenario in a folder of its own, with its recording."""
-    (tmp_path / "recorded").mkdir()
-    for name in ("scenario.py", "values_time.py", "recorded/values_time.txt"):
-        shutil.copy(corpus_ros1.SCENARIOS / name, tmp_path / name)
-    (found,) = scenarios(1, tmp_path, {})
-    return found
-
-
-# --- keys and the ledger ----------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("changed", ["scenario.py", "values_time.py", "recorded/values_time.txt"])
-def test_a_recording_is_stale_once_what_made_it_has_changed(scenario: Scenario, changed: str) -> None:
-    found = Ledger({1: {}, 2: {}}, {})
-    assert found.is_stale(scenario)
-    found.confirm(scenario, VERSION)
-    assert not found.is_stale(scenario)
-    assert found.is_stale(scenario._replace(args=("_rate:=2",)))
-    with (scenario.path.parent / changed).open("a") as file:
-        file.write("\n")
-    assert found.is_stale(scenario)
-
-
-def test_a_stale_recording_fails_with_the_command_that_renews_it(
-    scenario: Scenario, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    own = Ledger({1: {}, 2: {}}, {})
-    own.confirm(scenario, VERSION)
-    monkeypatch.setattr(corpus_checks, "LEDGER", own)
-    corpus_checks.check_recorded(scenario)
-    scenario.path.write_text(scenario.path.read_text() + "\n")
-    with pytest.raises(pytest.fail.Exception, match=r"stale .* renew it: .*/test_corpus.py -k ros1-values_time$"):
-        corpus_checks.check_recorded(scenario)
-
-
-def test_the_ledger_is_read_as_it_was_written(scenario: Scenario, tmp_path: Path) -> None:
+def test_the_ledger_is_read_as_it_was_written(tmp_path: Path) -> None:
     found = Ledger({1: {}, 2: {}}, {"a_race": [3, 1], "mishaps on ros2": [2]})
-    for each in (scenario, BY_NAME["timer_grid"]):
-        found.confirm(each, VERSION if each.ros == 1 else "Jazzy")
+    for each in ALL[::50]:
+        found.confirm(each, "rospy 1.15.15" if each.ros == 1 else "Jazzy")
     found.write(tmp_path / "ledger.toml")
     assert Ledger.read(tmp_path / "ledger.toml") == found
     assert Ledger.read(tmp_path / "none.toml") == Ledger({1: {}, 2: {}}, {})
 
 
-@pytest.mark.parametrize(
-    "module, touched, untouched",
-    [
-        ("rospy/topics.py", "topics_latch", "rate_reset"),
-        ("rospy/timer.py", "rate_reset", "log_levels_INFO"),
-        ("rclpy/qos.py", "topics_policies", "timer_grid"),
-    ],
-)
-def test_a_module_of_a_stand_in_concerns_those_that_name_what_it_defines(
-    module: str, touched: str, untouched: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    text = ledger._text
-    before = [stand_in(BY_NAME[name]) for name in (touched, untouched)]
-    monkeypatch.setattr(ledger, "_text", lambda path: text(path) + "#" * path.as_posix().endswith(module))
-    after = [stand_in(BY_NAME[name]) for name in (touched, untouched)]
-    assert [old == new for old, new in zip(before, after, strict=True)] == [False, True]
-
-
-def test_the_real_ros_runs_each_scenario_in_one_of_twenty_shares(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(Ledger, "is_touched", lambda *about: False)
-    seen: list[str] = []
-    for share in range(ledger.SHARES):
-        monkeypatch.setattr(ledger, "SHARE", share)
-        chosen, left = part(corpus_ros1.SCENARIO_LIST, VERSION)
-        assert 0 < len(chosen) < len(corpus_ros1.SCENARIO_LIST) / 8
-        assert left == 0
-        seen += [scenario.name for scenario in chosen]
-    assert sorted(seen) == sorted(scenario.name for scenario in corpus_ros1.SCENARIO_LIST)
+def test_the_real_ros_runs_each_scenario_in_one_of_twenty_shares() -> None:
+    chosen = [ledger.part(corpus_ros1.SCENARIO_LIST, share) for share in range(ledger.SHARES)]
+    assert all(0 < len(each) < len(corpus_ros1.SCENARIO_LIST) / 8 for each in chosen)
+    names = [scenario.name for each in chosen for scenario in each]
+    assert sorted(names) == sorted(scenario.name for scenario in corpus_ros1.SCENARIO_LIST)
 
 
 def test_the_share_of_a_test_follows_from_its_name_alone(request: pytest.FixtureRequest) -> None:
@@ -115,29 +54,6 @@ def test_the_share_of_a_test_follows_from_its_name_alone(request: pytest.Fixture
     runs = [[share for share in range(20) if not is_left_out(each, share)] for each in (whole, *cases)]
     assert [len(each) for each in runs] == [20] + [5] * 11 + [4] * 11
     assert len({first for first, *_ in runs[1:12]}) > 1  # those of one test are spread
-
-
-def test_the_real_ros_runs_what_has_changed(monkeypatch: pytest.MonkeyPatch) -> None:
-    some = corpus_ros1.SCENARIO_LIST[::3]
-    own = Ledger({1: {}, 2: {}}, {})
-    for each in some:
-        own.confirm(each, VERSION)
-    monkeypatch.setattr(Ledger, "read", lambda: own)
-    before, left = part(some, VERSION)
-    assert left == 0
-    changed = next(each for each in some if each not in before)
-    entry = own.entries[1][changed.name]
-    for row in (entry._replace(stand_in="another"), entry._replace(key="another")):
-        own.entries[1][changed.name] = row
-        assert set(part(some, VERSION)[0]) == {*before, changed}
-    own.entries[1][changed.name] = entry
-    chosen, left = part(some, "rospy 1.17")  # all of them; more than there is time for
-    assert len(chosen) == max(len(before), ledger.MOST)
-    assert left == len(some) - len(chosen)
-
-
-def test_a_key_tells_the_version(scenario: Scenario) -> None:
-    assert key(scenario, VERSION) != key(scenario, "rospy 1.17")
 
 
 # --- expectations -----------------------------------------------------------------------------------------------------

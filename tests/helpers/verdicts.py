@@ -1,7 +1,7 @@
 """The third verdict: neither as it should be nor not so, because the machine disturbed the run that was to tell.
 
 Whether it did, a control in the same run says, which knows nothing of the node: a plain timer beside it, and what the
-kernel counts of those who wait for a processor. What becomes of such tests: see ``quiet_lane``.
+kernel counts of those who wait for a processor. What becomes of such tests: see ``real/conftest.py``.
 """
 
 from __future__ import annotations
@@ -15,11 +15,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn, Self
 
+import pytest
+
 __all__ = ["Control", "Inconclusive", "control", "inconclusive"]
 
 
-class Inconclusive(BaseException):
-    """The machine disturbed a test. Not an Exception: no handler in a test, or in what it tests, is meant for it."""
+class Inconclusive(pytest.fail.Exception):  # type: ignore[name-defined, misc]
+    """The machine disturbed a test. No Exception: no handler in a test, or in what it tests, is meant for it."""
 
 
 def inconclusive(reason: str) -> NoReturn:

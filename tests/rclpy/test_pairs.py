@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import expectations
 import pytest
-from corpus_pairs import LEDGER, PAIR_LIST, PAIRS, RENEW, Pair, differing, recorded, simulated
+from corpus_pairs import LEDGER, PAIR_LIST, PAIRS, Pair, differing, recorded, simulated
 from ledger import Ledger
 
 
@@ -13,11 +13,6 @@ def test_the_processes_do_what_is_recorded(pair: Pair) -> None:
     differs = pair.name in expectations.differences("several processes in one run")
     found = differing(simulated(pair), recorded(pair))
     assert bool(found) == differs, found
-
-
-@pytest.mark.parametrize("pair", PAIR_LIST, ids=lambda pair: pair.name)
-def test_no_recording_is_stale(pair: Pair) -> None:
-    assert not Ledger.read(LEDGER).is_stale(pair), f"renew it where the real ROS is installed: {RENEW.format(pair)}"
 
 
 def test_the_corpus_is_whole() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 
 import pytest
@@ -16,6 +16,7 @@ from leftovers import processes
 from playwright.sync_api import Browser, expect
 from readers import PATIENCE
 from shares import SHARE, is_left_out
+from verdicts import Inconclusive
 
 from rosspin import doctor
 
@@ -24,6 +25,9 @@ expect.set_options(timeout=PATIENCE)
 # WebAssembly is compiled quickly, not well: what a test runs of it is over before a better compiler would pay.
 QUICK = ["--js-flags=--liftoff-only"]
 
+# A test that the machine disturbed runs so many times more, at once.
+RERUNS = 2
+
 
 def _required() -> set[str]:
     return set(os.environ.get("ROSSPIN_REQUIRE", "").replace(",", " ").split())
@@ -31,6 +35,7 @@ def _required() -> set[str]:
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--share", action="store_true", help="of tests marked shares(n), that of ROSSPIN_SHARE alone")
+    parser.addoption("--conclusive", action="store_true", help="a test that stays inconclusive fails")
 
 
 def pytest_configure() -> None:
@@ -39,9 +44,24 @@ def pytest_configure() -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    for item in items:
+        item.add_marker(pytest.mark.flaky(reruns=RERUNS, reruns_delay=1, only_rerun=Inconclusive))
     if config.option.share:
         config.hook.pytest_deselected(items=[item for item in items if is_left_out(item, SHARE)])
         items[:] = [item for item in items if not is_left_out(item, SHARE)]
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """A test that stays inconclusive tells nothing of what it tests: it is skipped, with the reason."""
+    report = yield
+    is_last = getattr(item, "execution_count", 0) > RERUNS
+    if call.excinfo and isinstance(call.excinfo.value, Inconclusive) and is_last and not item.config.option.conclusive:
+        report.outcome = "skipped"
+        report.longrepr = (str(item.path), item.location[1] or 0, f"inconclusive: {call.excinfo.value}")
+    return report
 
 
 @pytest.fixture(scope="session")

@@ -1,4 +1,4 @@
-"""On the real ROS 1 and 2 and on the wall clock: scenarios that a change touches, and a twentieth of the others.
+"""On the real ROS 1 and 2 and on the wall clock: a twentieth of the scenarios, chosen by their names.
 
 The real ones do what is recorded beside the scenarios, the stand-ins on the wall clock what they do in simulated time.
 `make judge` runs all scenarios.
@@ -6,7 +6,6 @@ The real ones do what is recorded beside the scenarios, the stand-ins on the wal
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterator
 
 import corpus_ros1
@@ -16,25 +15,20 @@ from corpus import Scenario
 from lacking import LACKS
 from ledger import part
 from runs import Runs, asked_for, check
-from runtimes import RUNTIMES, version
+from runtimes import RUNTIMES
 
-PATIENCE = 20.0  # s
-
-PARTS = {
-    1: part(corpus_ros1.SCENARIO_LIST, version("ros1")),
-    2: part(corpus_ros2.SCENARIO_LIST, version("ros2")),
-}
-CASES = [(runtime, scenario) for ros, (chosen, _) in PARTS.items() for runtime in RUNTIMES[ros] for scenario in chosen]
+CASES = [
+    (runtime, scenario)
+    for scenario in part([*corpus_ros1.SCENARIO_LIST, *corpus_ros2.SCENARIO_LIST])
+    for runtime in RUNTIMES[scenario.ros]
+]
 
 
 @pytest.fixture(scope="module")
 def runs(request: pytest.FixtureRequest) -> Iterator[Runs]:
     """Runs of those scenarios that are asked for."""
     cases = [(asked["runtime"], asked["scenario"]) for asked in asked_for(request)]
-    for ros, (chosen, left) in PARTS.items():
-        if left:
-            warnings.warn(f"ROS {ros}: {left} more scenarios are touched by changes, beside {len(chosen)}: make judge")
-    with Runs({runtime for runtime, _ in cases}, cases, PATIENCE) as runs:
+    with Runs({runtime for runtime, _ in cases}, cases) as runs:
         yield runs
 
 

@@ -9,7 +9,6 @@ import pytest
 from runs import asked_for
 from shares import SHARE, is_in
 
-PATIENCE = 10.0  # s
 SHARES = 8
 
 
@@ -19,7 +18,7 @@ def real(
 ) -> Iterator[launch_files.Real]:
     require("ros1")
     names = [asked["name"] for asked in asked_for(request)]
-    with launch_files.on_roslaunch(tmp_path_factory.mktemp("src"), names, PATIENCE) as real:
+    with launch_files.on_roslaunch(tmp_path_factory.mktemp("src"), names) as real:
         yield real
 
 

@@ -32,8 +32,8 @@ def recorded() -> list[str]:
 def test_it_says_how_old_the_recordings_are(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     batches = (1, TODAY, "new", 3), (1, datetime.date(2026, 2, 20), "old", 2), (2, TODAY, "Jazzy", 1)
     text = "".join(
-        f'[[confirmed]]\nros = {ros}\ndate = {date}\nversion = "{version}"\n[confirmed.hashes]\n'
-        + "".join(f'scenario_{number} = ""\n' for number in range(count))
+        f'[[confirmed]]\nros = {ros}\ndate = {date}\nversion = "{version}"\n'
+        f"scenarios = {[f'scenario_{number}' for number in range(count)]}\n"
         for ros, date, version, count in batches
     )
     (tmp_path / "ledger.toml").write_text(text)

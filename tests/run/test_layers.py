@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import cache
 from graphlib import TopologicalSorter
 
 import pytest
@@ -96,11 +97,15 @@ KEEPERS = {
     },
 }
 
-FILES = {
+MODULES = {
     ".".join(path.relative_to(PACKAGE).with_suffix("").parts).removesuffix(".__init__"): path
     for path in PACKAGE.rglob("*.py")
 }
-MODULES = {name: ast.parse(path.read_text(encoding="utf-8")) for name, path in FILES.items()}
+
+
+@cache
+def parsed(module: str) -> ast.Module:
+    return ast.parse(MODULES[module].read_text(encoding="utf-8"))
 
 
 def is_for_annotations(node: ast.AST) -> bool:
@@ -114,14 +119,15 @@ def statements(node: ast.AST, with_annotations: bool) -> Iterator[ast.AST]:
             yield from statements(child, with_annotations)
 
 
+@cache
 def imports(module: str, with_annotations: bool = True) -> set[str]:
     """What a module imports: the package's own modules by their names in MODULES, others by their first word.
 
     Imports inside of functions count, too; ``with_annotations``: also those that only annotations need.
     """
-    folder = list(FILES[module].relative_to(PACKAGE).parent.parts)
+    folder = list(MODULES[module].relative_to(PACKAGE).parent.parts)
     found = set()
-    for node in statements(MODULES[module], with_annotations):
+    for node in statements(parsed(module), with_annotations):
         if isinstance(node, ast.Import):
             found |= {outside(alias.name) for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and not node.level:
@@ -171,7 +177,7 @@ def test_the_root_is_small() -> None:
 
 
 def test_what_a_module_offers_is_listed_once() -> None:
-    for tree in MODULES.values():
+    for tree in map(parsed, MODULES):
         for node in tree.body:
             if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
                 names = [each.value for each in ast.walk(node.value) if isinstance(each, ast.Constant)]

@@ -1,7 +1,7 @@
 """All scenarios on the real ROS 1 and 2 and on the wall clock.
 
-What is not recorded, or was with another scenario or harness, is recorded here, and the ledger says what was confirmed.
-A recording that the real ROS no longer confirms fails; if it is the real one that has changed, delete the recording.
+What is not recorded is recorded here, and the ledger says what was confirmed. A recording that the real ROS no longer
+confirms fails; if it is the scenario or the real one that has changed, delete the recording.
 """
 
 from __future__ import annotations
@@ -75,15 +75,13 @@ def test_scenario(runs: Runs, ledger: Ledger, require: Callable[[str], None], ru
 
 
 def judge(ledger: Ledger, scenario: Scenario, console: str) -> None:
-    """Hold the recording to what the real one did, or record that if there is none that is not stale."""
+    """Hold the recording to what the real one did, or record that if there is none."""
     runtime = RUNTIMES[scenario.ros][0]
     outcome, is_race = read(console, scenario), scenario.name in expectations.races(runtime)
     if found := closest(recorded(scenario), outcome):
         if outcome.stalled:
             inconclusive(f"{scenario.name} stood still for {outcome.stalled:.3f} s on {runtime}: {found}")
-        if ledger.is_stale(scenario):
-            for file in scenario.recordings:
-                file.unlink()
+        if not scenario.recordings:
             ledger.races.pop(scenario.name, None)
         assert is_race or not scenario.recordings, "\n".join(found)
         record(scenario, console)

@@ -1,6 +1,6 @@
 """All scenarios of several processes on the real ROS 2: what is not recorded is, what is must be confirmed.
 
-If it is the real one that has changed, delete the recordings.
+If it is a scenario or the real one that has changed, delete the recordings.
 """
 
 from __future__ import annotations
@@ -26,9 +26,6 @@ def ledger() -> Iterator[Ledger]:
 @pytest.mark.parametrize("pair", PAIR_LIST, ids=lambda pair: pair.name)
 def test_the_real_one_does_what_is_recorded(ledger: Ledger, require: Callable[[str], None], pair: Pair) -> None:
     require("ros2")
-    if ledger.is_stale(pair):
-        for file in pair.recordings:
-            file.unlink()
     with control(BEARS):
         texts = run(pair)
         if pair.recordings:
