@@ -146,6 +146,8 @@ $(VENV): pyproject.toml pins/html.txt
 	@# A kernel need not warn that it talks to its own machine in plain text.
 	@mkdir -p .venv/ipython/profile_default
 	@echo 'c.IPKernelApp.log_level = "ERROR"' > .venv/ipython/profile_default/ipython_kernel_config.py
+	@# Templates are as old as their pins: with another Python, no page has to be written again.
+	@find .venv/lib/python*/site-packages -name '*.html' -exec touch -r pins/html.txt {} +
 	@# Which fonts there are, before a kernel has to look for them, and say so.
 	@"$(BIN)/python" -c 'import matplotlib.font_manager'
 	@echo '$(PYTHON)' > $@

@@ -14,7 +14,7 @@ from listings_in_page import (
 from playwright.sync_api import Page, expect
 from tree import EXAMPLES
 
-pytestmark = pytest.mark.shares(4)
+pytestmark = pytest.mark.shares(5)
 
 
 def test_edit(tutorial: Page, address: str) -> None:

@@ -12,7 +12,7 @@ from listings_in_page import Cell, link, open_exercise
 from playwright.sync_api import Browser, Page, expect
 from readers import reader
 
-pytestmark = pytest.mark.shares(4)
+pytestmark = pytest.mark.shares(5)
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ from listings_in_page import have_workers
 from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import BrowserContext, FilePayload, Page, expect
 
-pytestmark = pytest.mark.shares(4)
+pytestmark = pytest.mark.shares(5)
 
 FLOOD = "print('x' * 20_000_000)"
 

@@ -69,7 +69,7 @@ def opened(tab: Page, wrong: list[str], address: str, name: str) -> Iterator[Pag
     assert not wrong
 
 
-@pytest.mark.shares(4)
+@pytest.mark.shares(5)
 @pytest.mark.parametrize("name", NAMES)
 def test_it_fits(opened: Page) -> None:
     """No sideways scrolling; plots can be read, in light and in dark; on large screens they are as wide as the text."""
