@@ -20,7 +20,7 @@ from ..world.tester import NAME as TESTER
 from ..world.world import World
 from . import ClockJump, Crash, Fault, Jitter, Late, Service, Slow, Topic, checked
 
-__all__ = ["Engine", "Wire"]
+__all__ = ["Engine", "Transport"]
 
 _ANONYMOUS = re.compile(r"_\d+_\d+$")
 
@@ -73,7 +73,7 @@ class Engine:
         self._worlds, self._graphs = worlds, graphs
         self._happened: set[int] = set()  # the identities of those that have done something
         self._carried: Counter[int] = Counter()  # messages that a topic's faults could befall, by their identities
-        self._wires: Counter[tuple[str, str, str]] = Counter()
+        self._transports: Counter[tuple[str, str, str]] = Counter()
         self._late: set[tuple[int, frozenset[str]]] = set()  # which pairs of nodes a fault has made late
         self._called: dict[str, dict[str, None]] = {}  # by node: the callbacks that were called
         self._rows: dict[tuple[int, int], Random] = {}  # by fault and process
@@ -104,9 +104,9 @@ class Engine:
 
     # --- topics -------------------------------------------------------------------------------------------------------
 
-    def wire(
+    def transport(
         self, name: str, sender: str, receiver: str, world: World, reliable: bool | None, part: str = ""
-    ) -> Wire | None:
+    ) -> Transport | None:
         """Return what carries messages from one node to another, whose world is given; None if nothing befalls them.
 
         They are for the topic ``name`` or, for a service, its "request" or "response", the ``part``. ``reliable``
@@ -121,8 +121,8 @@ class Engine:
             self._carried[id(leg.fault)] += 0
         # The name of an anonymous node of ROS 1 is another one in each run.
         key = f"{name} {part}".rstrip(), _ANONYMOUS.sub("", sender), _ANONYMOUS.sub("", receiver)
-        self._wires[key] += 1
-        return Wire(self, found, (name, part, sender, receiver), repr((*key, self._wires[key])), world)
+        self._transports[key] += 1
+        return Transport(self, found, (name, part, sender, receiver), repr((*key, self._transports[key])), world)
 
     def carry(self, fault: Fault) -> None:
         """Count a message that a fault could befall."""
@@ -243,7 +243,7 @@ class Engine:
         return "no message of it went from one process to another", False
 
 
-class Wire:
+class Transport:
     """Carries messages of a topic from one node to another, late or not at all, as ``faults`` say."""
 
     def __init__(

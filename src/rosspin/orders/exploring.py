@@ -21,8 +21,8 @@ from ..results.orders import Orders
 from ..results.ticks import Run
 from ..run.explain import TimeStandsStill
 from ..run.host import duration
-from ..run.kept import one_at_a_time
 from ..run.roslaunch.launch import Node
+from ..run.saved_state import one_at_a_time
 from ..run.simulate import Prepared, prepare, run_prepared
 from ..run.source import NodeLike
 from ..run.streams import capture

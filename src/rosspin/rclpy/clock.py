@@ -12,8 +12,8 @@ from weakref import WeakKeyDictionary
 
 from .context import Context, get_default_context, state
 from .duration import Duration, Held
+from .event import Event
 from .exceptions import NotInitializedException
-from .gate import Gate
 from .handle import Handle
 from .time import ClockType, Time
 
@@ -158,7 +158,7 @@ class Clock(Held):
             self._rosspin_ns = time.monotonic_ns
         self._rosspin_flows = True  # whether its time passes by itself
         self._rosspin_changes = 0  # how often the source of its time has changed
-        self._rosspin_watchers: list[Gate] = []  # opened when the time jumps
+        self._rosspin_watchers: list[Event] = []  # set when the time jumps
         self._rosspin_jump_handles: list[JumpHandle] = []  # who is told of it
 
     @property
@@ -214,19 +214,19 @@ class Clock(Held):
             raise NotInitializedException()
         if until.clock_type != self.clock_type:
             raise ValueError("until's clock type does not match this clock's type")
-        own, gate = self._rosspin_state, Gate()
+        own, event = self._rosspin_state, Event()
         changes = self._rosspin_changes
         stopped = False
 
         def stop() -> None:
             nonlocal stopped
             stopped = True
-            gate.open()
+            event.set()
 
         context.on_shutdown(stop)
-        self._rosspin_watchers.append(gate)
+        self._rosspin_watchers.append(event)
         if self.clock_type is not ClockType.STEADY_TIME:
-            own.sleepers.append(gate)
+            own.sleepers.append(event)
         deaf = threading.current_thread() is threading.main_thread()
         own.asleep = own.asleep or deaf
         try:
@@ -235,13 +235,13 @@ class Clock(Held):
                 and self._rosspin_changes == changes
                 and (left := until.nanoseconds - self._rosspin_ns()) > 0
             ):
-                gate.wait(left if self._rosspin_flows else None)
+                event.wait(left if self._rosspin_flows else None)
         finally:
             if stop in context._callbacks:
                 context._callbacks.remove(stop)
-            self._rosspin_watchers.remove(gate)
+            self._rosspin_watchers.remove(event)
             if self.clock_type is not ClockType.STEADY_TIME:
-                own.sleepers.remove(gate)
+                own.sleepers.remove(event)
             if deaf:
                 own.asleep = False
         if deaf and own.pending:
@@ -281,7 +281,7 @@ class ROSClock(Clock):
                 self._rosspin_ns = (lambda: self._rosspin_told) if enabled else self._rosspin_state.clock.system
                 for timer in timers:
                     timer._rosspin_after_switch()
-                self._rosspin_open_gates()
+                self._rosspin_set_events()
 
     def set_ros_time_override(self, time: Time) -> None:
         """Set the time. Raises TypeError for what is no Time."""
@@ -294,8 +294,8 @@ class ROSClock(Clock):
             self._rosspin_told = time.nanoseconds
             for timer in list(self._rosspin_timers):
                 timer._rosspin_after_jump()
-            self._rosspin_open_gates()
+            self._rosspin_set_events()
 
-    def _rosspin_open_gates(self) -> None:
-        for gate in list(self._rosspin_watchers):
-            gate.open()
+    def _rosspin_set_events(self) -> None:
+        for event in list(self._rosspin_watchers):
+            event.set()

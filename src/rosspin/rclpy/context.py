@@ -10,8 +10,8 @@ from weakref import WeakKeyDictionary, WeakMethod, WeakSet
 from ..world.world import World, current_world
 from . import logging
 from .arguments import Arguments
+from .event import Event
 from .exceptions import InvalidHandle, RCLError
-from .gate import Gate
 from .handle import Handle
 
 if TYPE_CHECKING:
@@ -33,17 +33,17 @@ class State:
         self.contexts: list[RclContext] = []  # those that were initialised and have not ended
         world.at_end.append(self._be_missed)
         self.executors: WeakSet[Executor] = WeakSet()
-        self.sleepers: list[Gate] = []  # who sleeps until a time of the system's clock
+        self.sleepers: list[Event] = []  # who sleeps until a time of the system's clock
         world.at_jump.append(self._wake_sleepers)
-        self.waiting: WeakKeyDictionary[Gate, None] = WeakKeyDictionary()  # the gates that a signal opens
+        self.waiting: WeakKeyDictionary[Event, None] = WeakKeyDictionary()  # what a signal sets
         self.handled: set[int] = set()  # signals that shut the contexts down
         self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's
         self.asleep = False  # whether the main thread sleeps on a Clock, in C code, where no handler runs
         self.pending: Callable[[], Any] | None = None  # the handler that should run after that sleep
 
     def _wake_sleepers(self) -> None:
-        for gate in self.sleepers:
-            gate.open()
+        for event in self.sleepers:
+            event.set()
 
     def _be_missed(self) -> None:
         for context in self.contexts:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from ..clocks.frames import warn
 from .context import Context, get_default_context
+from .event import Event
 from .exceptions import (
     ConditionReachedException,
     ExternalShutdownException,
@@ -19,7 +20,6 @@ from .exceptions import (
     TimeoutException,
     invalid_context,
 )
-from .gate import Gate
 from .handle import Held
 from .task import Future, Task, await_or_execute, is_coroutine_function
 from .topics import Subscription
@@ -120,7 +120,7 @@ class Executor:
         self._is_shutdown = False
         self._rosspin_round: Iterator[Entry] | None = None
         self._rosspin_round_args: tuple[Any, ...] = ()
-        self._rosspin_gate = Gate()
+        self._rosspin_event = Event()
         self._rosspin_waits = False
         self._rosspin_is_triggered = False  # something has changed: look again at what to wait for
         self._rosspin_waited_until = -1
@@ -128,7 +128,7 @@ class Executor:
         self._rosspin_calls = 0  # calls handed out since the time last passed by itself
         self._rosspin_called_at = 0
         self._context._rosspin.state.executors.add(self)
-        self._context._rosspin.state.waiting[self._rosspin_gate] = None
+        self._context._rosspin.state.waiting[self._rosspin_event] = None
         self._context.on_shutdown(self.wake)
 
     @property
@@ -155,7 +155,7 @@ class Executor:
         self.wake()
         self._nodes = {}
         self._rosspin_round = None
-        self._context._rosspin.state.waiting.pop(self._rosspin_gate, None)
+        self._context._rosspin.state.waiting.pop(self._rosspin_event, None)
         return True
 
     def add_node(self, node: Node) -> bool:
@@ -188,12 +188,12 @@ class Executor:
         """Stop waiting: something has changed."""
         self._rosspin_is_triggered = True
         if self._rosspin_waits:
-            self._rosspin_gate.open()
+            self._rosspin_event.set()
 
     def _rosspin_nudge(self) -> None:
         """Look again: something may have become due."""
         if self._rosspin_waits:
-            self._rosspin_gate.open()
+            self._rosspin_event.set()
 
     def _rosspin_wakes_within(self, ns: int) -> bool:
         """Whether a thread that waits in it is about to continue, or will within a time, as far as is known."""
@@ -365,7 +365,7 @@ class Executor:
             self._clock.sleep(0)  # a message that another thread sends at this time has arrived
         watched = [timer.clock._rosspin_watchers for timer in timers if not timer.clock._rosspin_flows]
         for watchers in watched:
-            watchers.append(self._rosspin_gate)
+            watchers.append(self._rosspin_event)
         self._rosspin_waits, self._rosspin_deadline = True, deadline
         if self._rosspin_watcher:
             self._rosspin_watcher.looks(self)
@@ -385,11 +385,11 @@ class Executor:
                 left = [timer._rosspin_time_left() for timer in timers if timer._rosspin_is_flowing()]
                 if deadline is not None:
                     left.append(deadline - time.monotonic_ns())
-                is_last = not self._rosspin_gate.wait(min(left, default=None))
+                is_last = not self._rosspin_event.wait(min(left, default=None))
         finally:
             self._rosspin_waits = False
             for watchers in watched:
-                watchers.remove(self._rosspin_gate)
+                watchers.remove(self._rosspin_event)
         if len(ready) > 1 and self._clock.explores:
             ready -= self._rosspin_not_yet(ready, timers, receivers)
         for guard in triggered:

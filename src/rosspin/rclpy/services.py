@@ -97,7 +97,7 @@ class ServiceEnd(Owner):
         self.messages: deque[Any] = deque(maxlen=qos._rosspin_kept)
         self.events = Events(self, srv_type)
         self._offered, self._requested = Policies.offered(qos), Policies.requested(qos)
-        self._wires: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # from others, where a fault acts on them
+        self._transports: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # from others, where a fault acts on them
 
     def join(self) -> None:
         """Find the other ends of the service, and be found."""
@@ -136,12 +136,12 @@ class ServiceEnd(Owner):
         if faults is None or (isinstance(other, Owner) and not self.is_remote(other)):
             arrive()
             return
-        if other not in self._wires:
+        if other not in self._transports:
             sender, here = other.node.full_name if isinstance(other, Owner) else TESTER, self.node.full_name
             reliable = self._requested.reliable
-            self._wires[other] = faults.wire(self.end.topic, sender, here, self.world, reliable, part)
-        if wire := self._wires[other]:
-            wire.send(lambda: message, arrive)
+            self._transports[other] = faults.transport(self.end.topic, sender, here, self.world, reliable, part)
+        if transport := self._transports[other]:
+            transport.send(lambda: message, arrive)
         else:
             arrive()
 

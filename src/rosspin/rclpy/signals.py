@@ -67,8 +67,8 @@ def _handle(number: int, frame: Any) -> None:
             watcher.says("gets the signal: rclpy shuts its contexts down and wakes the executors.")
         for context in list(own.contexts):
             context.end()
-        for gate in list(own.waiting):
-            gate.open()
+        for event in list(own.waiting):
+            event.set()
         own.clock.sleep(0)  # threads that wait go first
     elif not callable(before):
         signal.signal(number, before)

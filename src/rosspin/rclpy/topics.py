@@ -18,11 +18,12 @@ from typing import TYPE_CHECKING, Any
 
 from ..messages import cdr
 from ..messages.ros2 import Message, received, transfer
-from ..world.graph import Wire
+from ..world.graph import Transport
 from ..world.tester import NAME as TESTER
 from .callback_groups import ReentrantCallbackGroup
 from .discovery import KEPT
 from .ends import Entity, Owner
+from .event import Event
 from .event_handler import (
     EventHandler,
     PublisherEventCallbacks,
@@ -31,7 +32,6 @@ from .event_handler import (
     SubscriptionEventCallbacks,
 )
 from .exceptions import RCLError, invalid_context
-from .gate import Gate
 from .lateness import Countdown, Lasting
 from .qos import FOR_EVER, Policies, QoSPolicyKind, QoSProfile, incompatible_policy, length
 
@@ -212,7 +212,7 @@ class SubscriptionEnd(TopicEnd):
         self.messages = self._queue(qos._rosspin_kept, qos, _sent)  # and what the callback may ask about each
         self.nudge: Callable[[], None] = node.nudge  # tells the executor that waits
         self._received = 0
-        self._wires: dict[Any, Wire] = {}  # by the publishers whose messages a fault of the run befalls
+        self._transports: dict[Any, Transport] = {}  # by the publishers whose messages a fault of the run befalls
         self._early: dict[PublisherEnd, list[tuple[Message, int]] | None] = {}
 
     def begin(self) -> SubscriptionEnd:
@@ -239,8 +239,8 @@ class SubscriptionEnd(TopicEnd):
 
     def expects(self, publisher: PublisherEnd) -> int:
         """Return when (ns) the last message of a publisher arrives that is under way and needs to be acknowledged."""
-        wire = self._wires.get(publisher) if self.policies.reliable else None
-        return wire.last if wire else 0
+        transport = self._transports.get(publisher) if self.policies.reliable else None
+        return transport.last if transport else 0
 
     def expect(self, publisher: PublisherEnd) -> None:
         """Expect a publisher of another process: until it is known here, reliable messages from it wait."""
@@ -293,23 +293,23 @@ class SubscriptionEnd(TopicEnd):
         if faults and (self.is_remote(other) or not isinstance(other, Owner)):
             sender = other.node.full_name if isinstance(other, Owner) else TESTER
             receiver, reliable = self.node.full_name, self.policies.reliable
-            if wire := faults.wire(self.end.topic, sender, receiver, self.world, reliable):
-                self._wires[other] = wire
+            if transport := faults.transport(self.end.topic, sender, receiver, self.world, reliable):
+                self._transports[other] = transport
                 self.receive = self._receive_by_wire  # type: ignore[method-assign]
         if self._lease_of(other) == FOR_EVER:
             self.hear(other)
 
     def _receive_by_wire(self, publisher: Any, message: Message, sent: int) -> None:
         receive = partial(SubscriptionEnd.receive, self, publisher, message, sent)
-        wire = self._wires.get(publisher)
-        if wire is None or publisher in self._early:  # what is kept for it comes in its own way
+        transport = self._transports.get(publisher)
+        if transport is None or publisher in self._early:  # what is kept for it comes in its own way
             receive()
         else:
-            wire.send(lambda: message, lambda: publisher in self.peers and receive())
+            transport.send(lambda: message, lambda: publisher in self.peers and receive())
 
     def part(self, other: Any) -> None:
         super().part(other)
-        self._wires.pop(other, None)
+        self._transports.pop(other, None)
         if lease := self._leases.pop(other, None):
             alive = int(lease.runs)
             self.tell(self.LIVELINESS, alive=-alive, not_alive=alive - 1)
@@ -539,19 +539,19 @@ def wait_for_message(
     """
     if not node.context.ok():
         raise invalid_context("initialize wait set")
-    own, gate = node.context._rosspin.state, Gate()
+    own, event = node.context._rosspin.state, Event()
     subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile, callback_group=_OutOfReach())
     end = subscription._rosspin
-    end.nudge = gate.open
-    own.waiting[gate] = None
+    end.nudge = event.set
+    own.waiting[event] = None
     until = None if time_to_wait < 0 else time.monotonic_ns() + int(float(time_to_wait) * 1e9)
     try:
         while not end.messages and node.context.ok():
             left = None if until is None else until - time.monotonic_ns()
             if left is not None and left <= 0:
                 break
-            gate.wait(left)
+            event.wait(left)
         return (True, end.messages.popleft()[0]) if end.messages else (False, None)
     finally:
-        del own.waiting[gate]
+        del own.waiting[event]
         node.destroy_subscription(subscription)

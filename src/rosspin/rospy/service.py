@@ -19,7 +19,7 @@ from ..clocks.frames import as_printed, node_frames
 from ..messages import ros1
 from ..messages.genpy import Duration
 from ..messages.ros1 import DeserializationError, Message
-from ..world.graph import CallMade, Recording, Wire
+from ..world.graph import CallMade, Recording, Transport
 from ..world.world import NotSimulated, World, current, not_simulated, waiting_for
 from . import names, rosgraph
 from .core import logerr, logwarn, logwarn_throttle, may_register
@@ -132,7 +132,7 @@ class Services:
         if faults := self.node.world.graph.faults:
             client, server = header["callerid"], self.node.name
             for part, names_ in (("request", (client, server)), ("response", (server, client))):
-                connection.wires[part] = faults.wire(connection.name, *names_, self.node.world, None, part)
+                connection.transports[part] = faults.transport(connection.name, *names_, self.node.world, None, part)
         self.node.world.start(threading.Thread(target=service.handle, args=(connection,), daemon=True))
 
     def close(self, connection: Connection) -> None:
@@ -156,7 +156,7 @@ class Connection:
         self.reply: dict[str, str] = {}  # the service's header
         self.persists = header.get("persistent", "").lower() in ("1", "true")
         self.is_left = False  # by the thread of the service
-        self.wires: dict[str, Wire | None] = {
+        self.transports: dict[str, Transport | None] = {
             "request": None,
             "response": None,
         }  # where a fault of the run acts on them
@@ -196,15 +196,15 @@ class Connection:
 
     def _pass_on(self, part: str, line: queue.SimpleQueue[Any], what: Any, make: Callable[[], Any]) -> None:
         """Put into a queue what one side sends."""
-        if wire := self.wires[part]:
-            wire.send(make, partial(line.put, what))
+        if transport := self.transports[part]:
+            transport.send(make, partial(line.put, what))
         else:
             line.put(what)
 
     def _end(self, part: str, line: queue.SimpleQueue[Any]) -> None:
         """Let nothing come after what has been sent."""
-        if wire := self.wires[part]:
-            wire.follow(partial(line.put, None))
+        if transport := self.transports[part]:
+            transport.follow(partial(line.put, None))
         else:
             line.put(None)
 

@@ -17,7 +17,7 @@ from typing import Any, TypeVar
 from ..clocks.clock import LATE
 from ..clocks.frames import format_error
 from ..messages.ros1 import Message, SerializationError
-from ..world.graph import Wire
+from ..world.graph import Transport
 from ..world.world import NotSimulated, World, not_simulated
 from . import names, rosgraph
 from .core import logerr, logwarn, may_register
@@ -275,8 +275,8 @@ class Connection(threading.Thread):
         self._waiting: deque[bytes] = deque()
         self._is_last = False  # nothing more comes
         self._closed = False
-        self._gate = threading.Lock()  # open when there is something to look at
-        self._gate.acquire()
+        self._ready = threading.Lock()  # free when there is something to look at
+        self._ready.acquire()
 
     def request(self) -> dict[str, str]:
         """Return the header that a subscriber sends when it connects."""
@@ -300,13 +300,13 @@ class Connection(threading.Thread):
         self._waiting.append(data)
         self._open()
 
-    def _send_by(self, wire: Wire) -> None:
-        """Let a wire carry what is delivered from now on, and the end after it."""
+    def _send_by(self, transport: Transport) -> None:
+        """Let a transport carry what is delivered from now on, and the end after it."""
         deliver, hang_up, data_class = self.deliver, self.hang_up, self.publication.data_class
-        self.deliver = lambda data: wire.send(  # type: ignore[method-assign]
+        self.deliver = lambda data: transport.send(  # type: ignore[method-assign]
             lambda: data_class().deserialize(data), lambda: deliver(data)
         )
-        self.hang_up = lambda: wire.follow(hang_up)  # type: ignore[method-assign]
+        self.hang_up = lambda: transport.follow(hang_up)  # type: ignore[method-assign]
 
     def hang_up(self) -> None:
         """Close the publisher's side. Waiting messages still reach the callbacks."""
@@ -322,7 +322,7 @@ class Connection(threading.Thread):
 
     def _open(self) -> None:
         try:
-            self._gate.release()
+            self._ready.release()
         except RuntimeError:
             pass  # it is open
 
@@ -337,8 +337,8 @@ class Connection(threading.Thread):
             if subscription.closed or publication.closed:
                 return
             subscription.connections = [*subscription.connections, self]
-        if faults and (wire := faults.wire(publication.topic, *names, node.world, None)):
-            self._send_by(wire)
+        if faults and (transport := faults.transport(publication.topic, *names, node.world, None)):
+            self._send_by(transport)
         with publication.node.world.acting():
             accepted = publication.accept(self)
         if accepted:
@@ -356,7 +356,7 @@ class Connection(threading.Thread):
                 if self._is_last:
                     return
                 self.idle = True
-                self._gate.acquire()
+                self._ready.acquire()
                 self.idle = False
                 continue
             header = header or publication.reply()

@@ -30,9 +30,9 @@ from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
 from .deadlock import explain_threads
 from .explain import keep_those_of, say_killed, stands_still
-from .kept import KEPT, collect_rarely, one_at_a_time, state_of_names, state_of_node, state_of_process
 from .kinds import ROS
 from .process import PATCHES, Process, Slots
+from .saved_state import SAVED, collect_rarely, one_at_a_time, state_of_names, state_of_node, state_of_process
 from .source import Code
 
 if TYPE_CHECKING:
@@ -505,7 +505,7 @@ def replaced() -> list[Patch]:
 def kept() -> list[str]:
     """List what is put back at the end of a run."""
     names = "names in rospy, rclpy, message classes and the standard library's modules"
-    return [*(each.what for each in KEPT), "running loop and policy of asyncio", names]
+    return [*(each.what for each in SAVED), "running loop and policy of asyncio", names]
 
 
 def duration(seconds: float, name: str = "seconds") -> int:

@@ -30,8 +30,8 @@ from ..clocks.stacks import StackExit, acting_for, whose
 from ..clocks.threads import begin_main, end_main
 from ..world.world import NotSimulated, World, not_simulated
 from .imports import Imports
-from .kept import working_folder
 from .kinds import ROS
+from .saved_state import working_folder
 from .source import Code, around_package, is_own, neighbour, own_folders
 
 __all__ = ["PATCHES", "Process", "Slots", "leave", "starter"]

@@ -24,8 +24,8 @@ from types import CodeType, ModuleType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.installed import is_installed_file
-from .kept import working_folder
 from .kinds import ROS, language_of, ros_of, written_in
+from .saved_state import working_folder
 
 if TYPE_CHECKING:
     from .kinds.language import Program

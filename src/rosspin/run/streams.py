@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from typing import Any, TextIO
 
-from .kept import one_at_a_time
+from .saved_state import one_at_a_time
 
 __all__ = ["Capture", "Lines", "byte_stream", "capture", "nowhere"]
 

@@ -26,8 +26,8 @@ from ..messages import pickles
 from ..results.ticks import Call, Message, Run, Tick
 from ..world.graph import TickLog
 from .host import Host, Result, duration
-from .kept import refuse_a_run_within_a_run
 from .process import leave
+from .saved_state import refuse_a_run_within_a_run
 from .simulate import run_captured, run_node
 from .source import Code, NodeLike, folder_of, load, load_source, refuse_text
 from .streams import Capture, byte_stream

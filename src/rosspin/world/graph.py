@@ -19,7 +19,18 @@ from ..clocks.frames import Trail
 from ..results.ticks import Call, FaultEvent, Message, Tick
 from .watcher import Watcher
 
-__all__ = ["CallMade", "Counterpart", "End", "EndMade", "Faults", "Graph", "Published", "Recording", "TickLog", "Wire"]
+__all__ = [
+    "CallMade",
+    "Counterpart",
+    "End",
+    "EndMade",
+    "Faults",
+    "Graph",
+    "Published",
+    "Recording",
+    "TickLog",
+    "Transport",
+]
 
 Part = TypeVar("Part")
 
@@ -46,7 +57,7 @@ class Counterpart(Protocol):
         """Return its end for a publication."""
 
 
-class Wire(Protocol):
+class Transport(Protocol):
     """Carries the messages from one end of a topic to another, on which a fault of the run acts.
 
     ``last`` is when (ns) the last of those that were sent arrives.
@@ -74,9 +85,9 @@ class Faults(Protocol):
     def lateness(self, one: str, other: str) -> int:
         """Return how much (ns) later than usual two nodes of different processes find each other."""
 
-    def wire(
+    def transport(
         self, name: str, sender: str, receiver: str, world: Any, reliable: bool | None, part: str = ""
-    ) -> Wire | None:
+    ) -> Transport | None:
         """Return what carries messages from one node to another, whose world is given; None if nothing befalls them.
 
         They are for the topic ``name`` or, for a service, its "request" or "response", the ``part``. ``reliable``

@@ -1,4 +1,4 @@
-"""Put back what a run changes in its process: :data:`KEPT` lists what is kept.
+"""Put back what a run changes in its process: :data:`SAVED` lists what is saved.
 
 Nothing is made again for a run: its beginning notes what is there, and its end puts back what differs. To see whether
 anything differs takes one look at each name, by identity; only what was changed is touched.
@@ -24,8 +24,8 @@ from typing import Any, NamedTuple
 from ..clocks.stacks import whose
 
 __all__ = [
-    "KEPT",
-    "Kept",
+    "SAVED",
+    "Saved",
     "collect_rarely",
     "one_at_a_time",
     "refuse_a_run_within_a_run",
@@ -74,8 +74,8 @@ def refuse_a_run_within_a_run() -> None:
         raise RuntimeError("a node cannot start a run of its own")
 
 
-class Kept(NamedTuple):
-    """Something that is kept: ``what`` names it, and ``state()`` notes it and returns a function that puts it back.
+class Saved(NamedTuple):
+    """Something that is saved: ``what`` names it, and ``state()`` notes it and returns a function that puts it back.
 
     If it is ``found_again``, each step of a node finds it as the last one left it.
     """
@@ -152,7 +152,7 @@ class _Content:
 
 
 class _AllNames:
-    """All that is kept of the stand-ins and the standard library, as far as their modules have been imported."""
+    """All that is saved of the stand-ins and the standard library, as far as their modules have been imported."""
 
     def __init__(self) -> None:
         self._loaded = 0  # how many modules there were when the owners were last looked for
@@ -272,7 +272,7 @@ def _modules() -> Put:
 
 
 def _names_in_sys() -> Undo:
-    """Kept apart from all other names, because the streams differ from run to run."""
+    """Saved apart from all other names, because the streams differ from run to run."""
     names = _Names(sys)
     before = names.copy()
     return lambda: names.put(before)
@@ -481,30 +481,30 @@ def _loggers() -> Put:
 # modules. Others see to the rest: clocks/programs.py to signal handlers and to the names in builtins, process.py to
 # what is registered with atexit, which it calls at the end of the run, and messages/finder.py to message classes, which
 # each run makes again.
-KEPT: tuple[Kept, ...] = (
-    Kept("command line, excepthooks", _command_line),
-    Kept("sys.modules", _modules, found_again=False),
-    Kept("names in sys, such as its streams", _names_in_sys, found_again=False),
-    Kept("sys.path, sys.meta_path, sys.path_hooks", _lists_of_sys),
-    Kept("trace and profile functions", _hooks),
-    Kept("switch interval, recursion limit, digits of an int", _limits),
-    Kept("garbage collector", _collector),
-    Kept("environment and time zone", _environment),
-    Kept("working directory", _folder),
-    Kept("file mode mask", _mask),
-    Kept("warning filters", _warnings),
-    Kept("random numbers", _random),
-    Kept("context of decimal arithmetic", _decimals),
-    Kept("locale", _locales),
-    Kept("default timeout of sockets", _sockets),
-    Kept("stack size of threads", _threads),
-    Kept("loggers", _loggers),
+SAVED: tuple[Saved, ...] = (
+    Saved("command line, excepthooks", _command_line),
+    Saved("sys.modules", _modules, found_again=False),
+    Saved("names in sys, such as its streams", _names_in_sys, found_again=False),
+    Saved("sys.path, sys.meta_path, sys.path_hooks", _lists_of_sys),
+    Saved("trace and profile functions", _hooks),
+    Saved("switch interval, recursion limit, digits of an int", _limits),
+    Saved("garbage collector", _collector),
+    Saved("environment and time zone", _environment),
+    Saved("working directory", _folder),
+    Saved("file mode mask", _mask),
+    Saved("warning filters", _warnings),
+    Saved("random numbers", _random),
+    Saved("context of decimal arithmetic", _decimals),
+    Saved("locale", _locales),
+    Saved("default timeout of sockets", _sockets),
+    Saved("stack size of threads", _threads),
+    Saved("loggers", _loggers),
 )
 
 
 def state_of_process() -> Undo:
-    """Note all that is kept. Returns a function that puts it back, and that returns one to restore the run's names."""
-    puts, put_names = [each.state() for each in KEPT], _names.state()
+    """Note all that is saved. Returns a function that puts it back, and that returns one to restore the run's names."""
+    puts, put_names = [each.state() for each in SAVED], _names.state()
 
     def put() -> Put:
         _call(puts)
@@ -520,5 +520,5 @@ def state_of_names() -> Undo:
 
 def state_of_node() -> Put:
     """Note what the next step of a node should find again, except for names. Returns what puts it in place."""
-    puts = [each.state() for each in KEPT if each.found_again]
+    puts = [each.state() for each in SAVED if each.found_again]
     return lambda: _call(puts)

@@ -7,25 +7,25 @@ from typing import Any
 
 from ..world.world import current
 
-__all__ = ["Gate"]
+__all__ = ["Event"]
 
 
-class Gate:
-    """Lets one thread wait until another, or a signal handler, opens it. Opening it twice is opening it once."""
+class Event:
+    """Lets one thread wait until another, or a signal handler, sets it, and is no longer set then."""
 
     def __init__(self) -> None:
         self._lock: Any = threading.Lock()
         self._lock.acquire()
 
-    def open(self) -> None:
+    def set(self) -> None:
         """Let the thread that waits, or the next one that will, continue."""
         try:
             self._lock.release()
         except RuntimeError:
-            pass  # it is open
+            pass  # it is set
 
     def wait(self, ns: int | None = None) -> bool:
-        """Wait until it is opened, for at most ``ns`` nanoseconds, and shut it. Return whether it was opened."""
+        """Wait until it is set, for at most ``ns`` nanoseconds, and clear it. Return whether it was set."""
         if ns is not None and ns <= 0:
             return bool(self._lock.acquire(False))
         if hasattr(self._lock, "wait") and self._lock.locked():

@@ -22,7 +22,7 @@ from hypothesis import strategies as st
 import rosspin
 from rosspin import Run, rospy, simulate
 from rosspin.run.host import replaced
-from rosspin.run.kept import KEPT
+from rosspin.run.saved_state import SAVED
 
 _REFERENCE = {
     1: """
@@ -274,7 +274,7 @@ def test_a_run_goes_on_with_the_numbers_of_who_starts_it() -> None:
 
 
 def test_the_list_of_what_is_kept_names_each_once() -> None:
-    assert len({each.what for each in KEPT}) == len(KEPT)
+    assert len({each.what for each in SAVED}) == len(SAVED)
 
 
 def names_of_the_library() -> dict[tuple[str, str], Any]:
