@@ -84,9 +84,8 @@ def test_a_compiler_is_asked_again_and_another_if_it_has_ended() -> None:
 
 
 def test_what_a_page_runs_is_found() -> None:
-    assert list(_nodes((ROOT / "docs/tutorial.rst").read_text(encoding="utf-8"), ROOT)) == [
+    assert list(_nodes((ROOT / "docs/tutorial-timer.rst").read_text(encoding="utf-8"), ROOT)) == [
         (str(NODE), None),
-        (str(NODE.with_name("spinner_rate_cpp_node.cpp")), None),
         (str(ROOT / "examples/steps/2_callback.cpp"), None),
     ]
     [(_, cell)] = _nodes((ROOT / "notebooks/timer.md").read_text(encoding="utf-8"), ROOT)
@@ -102,12 +101,12 @@ def test_pages_with_cpp_nodes_are_read_last_and_compiled_meanwhile(monkeypatch: 
         return SimpleNamespace(start=lambda: None)
 
     monkeypatch.setattr(compiling, "get_context", lambda kind: SimpleNamespace(Process=process))
-    names = {"docs/tutorial": "rst", "notebooks/drift": "md", "notebooks/timer": "md"}
+    names = {"docs/tutorial-timer": "rst", "notebooks/drift": "md", "notebooks/timer": "md"}
     app: Any = SimpleNamespace(srcdir=ROOT, connect=lambda *args: None)
     env: Any = SimpleNamespace(doc2path=lambda page: ROOT / f"{page}.{names[page]}")
     pages = list(names)
     _begin(app, env, pages)
-    assert pages == ["notebooks/drift", "docs/tutorial", "notebooks/timer"]
-    assert started == [(build_together, [NODE.name, "spinner_rate_cpp_node.cpp", "2_callback.cpp", "cell"])]
+    assert pages == ["notebooks/drift", "docs/tutorial-timer", "notebooks/timer"]
+    assert started == [(build_together, [NODE.name, "2_callback.cpp", "cell"])]
     _begin(app, env, ["notebooks/drift"])
     assert len(started) == 1

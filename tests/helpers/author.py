@@ -103,12 +103,13 @@ def go_the_way(tree: Path, runs_timer: bool) -> str:
     said = re.sub(r".*exception in ZMQStream callback\nTraceback(.*\n)+?zmq\..*\n", "", run.stdout + run.stderr)
     assert "Traceback" not in said and 'File "' not in said
     assert "exception" not in said.lower()
-    lines = (tree / "docs/tutorial.rst").read_text().splitlines()
+    lines = (tree / "docs/tutorial-timer.rst").read_text().splitlines()
     line = lines.index("   [INFO] [0.500000]: [SPINNER PY NODE] counter = 1")  # the output begins one line above
-    entry = entry_of(listed, f"docs/tutorial.rst:{line} (make outputs)\n")
-    assert "   docs/tutorial.rst:LINE (make outputs)\n" in HOW_TO
+    entry = entry_of(listed, f"docs/tutorial-timer.rst:{line} (make outputs)\n")
+    assert "   docs/tutorial-timer.rst:LINE (make outputs)\n" in HOW_TO
     assert re.search(r"was (.*\n)+.*\[1\.500000\]: .* counter = 3\n", entry)
     assert re.search(r"now (.*\n)+.*\[1\.200000\]: .* counter = 3\n", entry)
+    lines = (tree / "docs/tutorial.rst").read_text().splitlines()
     fact = entry_of(listed, f"docs/tutorial.rst:{lines.index('   assert period == 0.5') + 1}\n")
     assert re.search(r"text +Write two small ROS 1 nodes.* twice a second", fact) and "now     period is 0.4" in fact
     cell = entry_of(listed, "notebooks/rate.md:")

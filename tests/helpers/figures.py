@@ -157,7 +157,7 @@ class Kind(NamedTuple):
 
 FIGURES = [
     Kind("index.html", 0, "Time delta", spinner(SPINNER_ROS2, "timer_callback")),
-    Kind("docs/tutorial.html", 0, "Time delta", spinner(SPINNER, "timerCallback")),
+    Kind("docs/tutorial-timer.html", 0, "Time delta", spinner(SPINNER, "timerCallback")),
     Kind("notebooks/rate.html", 0, "Work in each pass", loops),
     Kind("notebooks/slow-callback.html", 0, "The third call takes", three("block_call:=3", seconds=6.2)),
     Kind("notebooks/ros2-rate.html", 0, "Work in each pass", ros2_loops),

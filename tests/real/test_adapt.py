@@ -11,7 +11,8 @@ pytestmark = pytest.mark.shares(5)
 
 # Enough for the way of the how-to; all pages go it in tests/real/judge.
 FEW_PAGES = [
-    *("docs/tutorial.rst", "docs/reference/launch-files.rst", "docs/glossary.rst"),
+    *(f"docs/tutorial{page}.rst" for page in ("", "-timer", "-launch", "-rate")),
+    *("docs/reference/launch-files.rst", "docs/glossary.rst"),
     *("notebooks/timer.md", "notebooks/rate.md"),
 ]
 

@@ -19,8 +19,8 @@ PACKAGE = EXAMPLES / "my_robotics_pkg"
 PACKAGE_ROS2 = EXAMPLES / "my_robotics_pkg_ros2"
 PACKAGE_ROS2_CPP = EXAMPLES / "my_robotics_pkg_ros2_cpp"
 PAGES = sorted((ROOT / "docs").rglob("*.rst"))
-TUTORIAL, PUBLISH = ROOT / "docs" / "tutorial.rst", ROOT / "docs" / "publish.rst"
-TUTORIAL_ROS2, PUBLISH_ROS2 = ROOT / "docs" / "ros2" / "tutorial.rst", ROOT / "docs" / "ros2" / "publish.rst"
+TUTORIAL, PUBLISH = ROOT / "docs/tutorial.rst", ROOT / "docs/publish-build.rst"
+TUTORIAL_ROS2, PUBLISH_ROS2 = ROOT / "docs/ros2/tutorial.rst", ROOT / "docs/ros2/publish-build.rst"
 
 # Each step of a tutorial and the listing that it starts from, below examples/.
 SPIN_FROM = {
@@ -29,18 +29,21 @@ SPIN_FROM = {
     "my_robotics_pkg/src/spinner_py_node.py": "steps/2_callback.py",
     "steps/2_callback.cpp": "my_robotics_pkg/src/plain_cpp_node.cpp",
     "my_robotics_pkg/src/spinner_cpp_node.cpp": "steps/2_callback.cpp",
+}
+RATE_FROM = {
     "my_robotics_pkg/src/spinner_rate_py_node.py": "my_robotics_pkg/src/plain_py_node.py",
     "my_robotics_pkg/src/spinner_rate_cpp_node.cpp": "my_robotics_pkg/src/plain_cpp_node.cpp",
 }
 PUBLISH_FROM = {
-    "steps/3_class.cpp": "my_robotics_pkg/src/spinner_cpp_node.cpp",
     "my_robotics_pkg/src/publisher_cpp_node.cpp": "steps/3_class.cpp",
     "my_robotics_pkg/src/publisher_py_node.py": "my_robotics_pkg/src/spinner_py_node.py",
-    **{
-        f"my_robotics_pkg/src/{new}_{language}": f"my_robotics_pkg/src/{old}_{language}"
-        for new, old in (("pubsub", "publisher"), ("subscriber", "plain"))
-        for language in ("cpp_node.cpp", "py_node.py")
-    },
+    "my_robotics_pkg/src/subscriber_cpp_node.cpp": "my_robotics_pkg/src/plain_cpp_node.cpp",
+    "my_robotics_pkg/src/subscriber_py_node.py": "my_robotics_pkg/src/plain_py_node.py",
+}
+PUBSUB_FROM = {
+    "steps/3_class.cpp": "my_robotics_pkg/src/spinner_cpp_node.cpp",
+    "my_robotics_pkg/src/pubsub_cpp_node.cpp": "my_robotics_pkg/src/publisher_cpp_node.cpp",
+    "my_robotics_pkg/src/pubsub_py_node.py": "my_robotics_pkg/src/publisher_py_node.py",
 }
 _NODES_ROS2 = "my_robotics_pkg_ros2/my_robotics_pkg"
 _CPP_ROS2 = "my_robotics_pkg_ros2_cpp/src"
@@ -62,11 +65,15 @@ PUBLISH_FROM_ROS2 |= {
     for new, old in (("publisher", "spinner"), ("subscriber", "plain"))
 }
 STARTS_FROM = {
-    TUTORIAL: SPIN_FROM,
-    PUBLISH: PUBLISH_FROM,
+    ROOT / "docs/tutorial-timer.rst": SPIN_FROM,
+    ROOT / "docs/tutorial-rate.rst": RATE_FROM,
+    ROOT / "docs/publish.rst": PUBLISH_FROM,
+    PUBLISH: PUBSUB_FROM,
+    ROOT / "docs/publish-lost.rst": {},
     ROOT / "docs/ros2/tutorial-timer.rst": SPIN_FROM_ROS2,
     ROOT / "docs/ros2/tutorial-rate.rst": RATE_FROM_ROS2,
-    PUBLISH_ROS2: PUBLISH_FROM_ROS2,
+    ROOT / "docs/ros2/publish.rst": PUBLISH_FROM_ROS2,
+    ROOT / "docs/ros2/publish-qos.rst": {},
     ROOT / "docs/how-to/message-type.rst": {f"{_NODES_ROS2}/stamped_py_node.py": f"{_NODES_ROS2}/publisher_py_node.py"},
 }
 MANIFESTS = ("CMakeLists.txt", "package.xml")
@@ -172,7 +179,8 @@ def cmake_lines(node: str) -> list[str]:
 
 
 def test_cmake_lines() -> None:
-    cmake = [listing.shown for listing in listings(TUTORIAL) if listing.path.name == "CMakeLists.txt"]
+    pages = TUTORIAL, ROOT / "docs/tutorial-launch.rst"
+    cmake = [each.shown for page in pages for each in listings(page) if each.path.name == "CMakeLists.txt"]
     lines = cmake_lines("spinner_cpp_node")
     assert cmake == [lines, lines]  # the TL;DR, and the step
 

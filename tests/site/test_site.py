@@ -135,7 +135,7 @@ def test_nobody_has_solved_an_exercise_when_the_site_is_built(site: Path) -> Non
 
 def test_a_topic_is_drawn_from_its_messages() -> None:
     """By ``ticks`` with ``:topic:``."""
-    plots = _page("docs/publish").select("figure > svg.rosspin-wide")
+    plots = _page("docs/publish-build").select("figure > svg.rosspin-wide")
     labels = [plot["aria-label"] for plot in plots if not plot.find_parent(class_="live-made")]
     assert labels == ["Timeline. /counter: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time."]
 
@@ -242,10 +242,10 @@ def test_every_prompt_on_the_site_is_run(site: Path, name: str) -> None:
 @pytest.mark.parametrize(
     ("name", "kinds"),
     [
-        ("docs/tutorial", ["SPINNER PY NODE"]),
+        ("docs/tutorial-timer", ["SPINNER PY NODE"]),
         ("docs/ros2/tutorial-timer", ["SPINNER PY NODE"]),
-        ("docs/publish", ["PUBSUB PY NODE", "SUBSCRIBER PY NODE"]),
-        ("docs/ros2/publish", ["SUBSCRIBER PY NODE"]),
+        ("docs/publish-build", ["PUBSUB PY NODE", "SUBSCRIBER PY NODE"]),
+        ("docs/ros2/publish-build", ["SUBSCRIBER PY NODE"]),
     ],
 )
 def test_the_counters_that_a_page_shows_are_examples(site: Path, name: str, kinds: list[str]) -> None:
@@ -309,25 +309,40 @@ def test_readme_links_lead_somewhere() -> None:
     assert not [target for target in targets if not (ROOT / target).is_file()]
 
 
-# Sections of a page that are on others now. A link to one still leads to where its page is named.
+# The sections of a page that are on others now. A link to one still leads to where its page is named.
 MOVED = {
-    ("docs/ros2/tutorial", "start-with-a-class"): "tutorial-timer",
-    ("docs/ros2/tutorial", "add-a-callback-function-for-when-the-timer-triggers"): "tutorial-timer",
-    ("docs/ros2/tutorial", "initialise-a-timer-and-connect-it-to-the-callback"): "tutorial-timer",
-    ("docs/ros2/tutorial", "make-a-package-and-build-it"): "tutorial-build",
-    ("docs/ros2/tutorial", "run-and-test"): "tutorial-build",
-    ("docs/ros2/tutorial", "ros2-run-and-test"): "tutorial-build",
-    ("docs/ros2/tutorial", "stop-the-node"): "tutorial-build",
-    ("docs/ros2/tutorial", "alternative-fixed-frequency-spinning-with-a-rate"): "tutorial-rate",
+    ("docs/tutorial", "tutorial-timer"): "python-only-add-a-class-definition "
+    "add-a-callback-function-for-when-the-timer-triggers initialise-a-timer-and-connect-it-to-the-callback",
+    (
+        "docs/tutorial",
+        "tutorial-launch",
+    ): "add-the-c-node-to-cmakelists-txt-and-compile make-the-python-file-executable launch-and-test",
+    ("docs/tutorial", "tutorial-rate"): "alternative-fixed-frequency-spinning-in-the-main",
+    ("docs/ros2/tutorial", "tutorial-timer"): "start-with-a-class "
+    "add-a-callback-function-for-when-the-timer-triggers initialise-a-timer-and-connect-it-to-the-callback",
+    (
+        "docs/ros2/tutorial",
+        "tutorial-build",
+    ): "make-a-package-and-build-it run-and-test ros2-run-and-test stop-the-node",
+    ("docs/ros2/tutorial", "tutorial-rate"): "alternative-fixed-frequency-spinning-with-a-rate",
+    ("docs/publish", "publish-build"): "c-only-make-the-node-a-class publish-the-counter subscribe-in-the-same-node "
+    "subscribe-in-another-node add-the-c-nodes-to-cmakelists-txt-and-compile make-the-python-files-executable "
+    "launch-and-test",
+    ("docs/publish", "publish-lost"): "why-the-first-message-may-be-lost publish-first-message what-queue-size-drops "
+    "publish-queue-size how-far-to-believe-rostopic-hz",
+    ("docs/ros2/publish", "publish-build"): "publish-the-counter subscribe-in-another-node build-and-run-them",
+    ("docs/ros2/publish", "publish-qos"): "one-process-or-two depth-what-a-slow-subscriber-misses ros2-publish-depth "
+    "durability-what-a-late-subscriber-hears ros2-publish-late when-the-two-ends-do-not-match ros2-publish-mismatch",
 }
 
 
-@pytest.mark.parametrize(("name", "section"), MOVED)
-def test_the_address_of_a_section_that_has_moved_leads_on(name: str, section: str) -> None:
-    place = _page(name).find(id=section)
-    assert isinstance(place, Tag)
-    around = place.find_parent("section")
-    assert around and around.select(f"a[href='{MOVED[name, section]}.html']")
+@pytest.mark.parametrize(("name", "other"), MOVED)
+def test_the_address_of_a_section_that_has_moved_leads_on(name: str, other: str) -> None:
+    for section in MOVED[name, other].split():
+        place = _page(name).find(id=section)
+        assert isinstance(place, Tag), section
+        around = place.find_parent("section")
+        assert around and around.select(f"a[href='{other}.html']")
 
 
 VERDICT = re.compile(r"(True|False|It depends|Not guaranteed|Not after lost ticks|Only on|Only with)\b[^:]*: .*\w")
@@ -448,7 +463,10 @@ def test_the_pages_for_teachers_name_exercises_that_there_are(name: str, named_i
 
 # What a student types, and the page that it should find first.
 FIRST = {
-    "docs/glossary": ["callback", "drift", "executor", "jitter", "publisher", "rate", "service", "spin", "subscriber"],
+    "docs/glossary": [
+        *("callback", "drift", "executor", "jitter", "lateness", "publisher", "service", "simulated time", "spin"),
+        "subscriber",
+    ],
     "docs/how-to/frequency-from-parameter": ["parameter"],
     "docs/how-to/info-lines": ["use_sim_time"],
     "docs/how-to/irregular-loop": ["rostopic hz"],
@@ -456,11 +474,13 @@ FIRST = {
     "docs/how-to/shared-data": ["lock", "race"],
     "docs/how-to/test-timing": ["pytest", "test"],
     "docs/how-to/timer-or-rate": ["sleep", "timer"],
-    "docs/how-to/why-does-it-hang": ["deadlock", "hangs"],
+    "docs/how-to/why-does-it-hang": ["deadlock", "hang", "hangs"],
     "docs/reference/launch-files": ["launch"],
-    "docs/ros2/publish": ["qos"],
-    "docs/ros2/tutorial": ["C++", "frequency"],
+    "docs/ros2/publish-qos": ["qos"],
+    "docs/ros2/tutorial": ["C++", "frequency", "hz"],
     "docs/ros2/tutorial-build": ["Ctrl-C"],
+    "docs/ros2/tutorial-rate": ["rate"],
+    "docs/simulation-limits": ["wall clock"],
     "notebooks/ros2-executors": ["thread"],
 }
 FOUND = {word: page for page, words in FIRST.items() for word in words}

@@ -127,7 +127,7 @@ def test_stop_reset_and_again(page: Page, address: str) -> None:
 
 
 def test_arguments_reach_a_node(page: Page, address: str) -> None:
-    page.goto(f"{address}docs/publish.html?lang=cpp")
+    page.goto(f"{address}docs/publish-lost.html?lang=cpp")
     unfold(page)
     cell = Cell(page, 0, f"{CPP}:has([aria-label='Run eager_cpp_node.cpp'])")
     field = cell.element.get_by_role("textbox", name="Arguments")

@@ -18,7 +18,6 @@ from listings_in_page import (
     unfold,
 )
 from notebook_nodes import NODES
-from notebook_nodes import ROS2 as NODES_ROS2
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 from readers import reader
 from tree import EXAMPLES
@@ -58,7 +57,7 @@ def test_run_is_on_the_first_screen_and_so_is_what_it_gives(browser: Browser, ad
 
 
 def test_a_run_that_prints_nothing_can_be_reset(page: Page, address: str) -> None:
-    page.goto(f"{address}docs/publish.html")
+    page.goto(f"{address}docs/publish-lost.html")
     unfold(page)
     cell = Cell(page, 0, "div.live:has([aria-label='Run slowing_py_node.py'])")
     made, reset = cell.element.locator("figure.live-made"), cell.button("Reset")
@@ -266,14 +265,12 @@ def test_they_run_as_they_stand_there(both: tuple[Cell, Cell]) -> None:
 
 def test_a_page_may_have_several_pairs(context: BrowserContext, address: str) -> None:
     page = context.new_page()
-    page.goto(f"{address}docs/ros2/publish.html")
+    page.goto(f"{address}docs/ros2/publish-qos.html")
     unfold(page)
     cells = [Cell(page, index) for index in range(page.locator(IN_PYTHON).count())]
-    names = ["publisher", "subscriber", "thirty", "slow", "eager", "late"]
-    folders = [EXAMPLES / NODES_ROS2] * 2 + [EXAMPLES / "topics/ros2"] * 4
-    paths = [folder / f"{name}_py_node.py" for folder, name in zip(folders, names, strict=True)]
+    paths = [EXAMPLES / f"topics/ros2/{name}_py_node.py" for name in ("thirty", "slow", "eager", "late")]
     assert len(cells) == len(paths)
-    for index, beside in enumerate((1, 0, 3, 2, 5, 4)):
+    for index, beside in enumerate((1, 0, 3, 2)):
         cells[index].run(0.1)
         cells[index].ends("done")
         cells[index].element.get_by_role("spinbutton").fill("3")
