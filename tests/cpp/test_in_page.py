@@ -37,7 +37,9 @@ NODES = [
 ]
 
 
-def in_page(file: Path, runs: Sequence[tuple[float, str]], folder: Path) -> list[tuple[str, dict[str, Any]]]:
+def in_page(
+    file: Path, runs: Sequence[tuple[float, str]], folder: Path, node: Sequence[str] = ()
+) -> list[tuple[str, dict[str, Any]]]:
     """Run a node as a page does, for so many seconds with these arguments each; the consoles and the results."""
     built = build(file)
     program = folder / "program.wasm"
@@ -47,7 +49,7 @@ def in_page(file: Path, runs: Sequence[tuple[float, str]], folder: Path) -> list
         for seconds, args in runs
     ]
     run = subprocess.run(
-        [*node_command(), str(PAGE)], input=json.dumps(jobs), capture_output=True, text=True, check=True
+        [*(node or node_command()), str(PAGE)], input=json.dumps(jobs), capture_output=True, text=True, check=True
     )
     found = []
     for line in run.stdout.splitlines():
@@ -77,10 +79,13 @@ def test_the_listings_of_pages(name: str, tmp_path: Path) -> None:
     assert result["lost"] == []
 
 
-def test_what_is_not_simulated_is_said_by_name(tmp_path: Path) -> None:
-    """Such as threads, for which a page would need more than many a browser has."""
-    ((console, result),) = in_page(EXAMPLES / "topics/slow_cpp_node.cpp", [(2.0, "")], tmp_path)
-    assert console.endswith("two threads at work at the same time is not simulated; run this node on a real ROS\n")
+def test_a_browser_without_jspi_says_that_it_has_no_threads(tmp_path: Path) -> None:
+    file = EXAMPLES / "topics/slow_cpp_node.cpp"
+    ((console, result),) = in_page(file, [(2.0, "")], tmp_path, node_command()[:1])
+    assert console == (
+        "a thread where WebAssembly has no JSPI (as before Chrome 137, Firefox 153 and Safari 27) is not simulated; "
+        "run this node on a real ROS\n"
+    )
     assert result["status"] == 1
 
 
@@ -120,12 +125,12 @@ def test_what_late_and_lost_ticks_come_to(blocks: str, tmp_path: Path) -> None:
         assert result["alternative"] == said + (f" Lost ticks: {len(lost[source])}." if lost else "")
 
 
-@pytest.mark.parametrize("ros", [1, 2])
-def test_the_scenarios(ros: int, tmp_path: Path) -> None:
-    names = list(recorded(f"ros{ros}.txt"))
-    more = ["--ros-args", "-r", "from:=to"] if ros == 2 else ["from:=to"]
-    file = FOLDER / f"ros{ros}.cpp"
-    found = in_page(file, [(SECONDS, " ".join([name, *more])) for name in names], tmp_path)
-    for name, (console, result) in zip(names, found, strict=True):
+@pytest.mark.parametrize("name", ["ros1", "ros1_threads", "ros2"])
+def test_the_scenarios(name: str, tmp_path: Path) -> None:
+    file = FOLDER / f"{name}.cpp"
+    more = ["--ros-args", "-r", "from:=to"] if name == "ros2" else ["from:=to"]
+    lines = [[f"_scenario:={each}" if name != "ros2" else each, *more] for each in recorded(f"{name}.txt")]
+    found = in_page(file, [(SECONDS, " ".join(line)) for line in lines], tmp_path)
+    for line, (console, result) in zip(lines, found, strict=True):
         if not ASKS_FOR_OTHERS.search(console):
-            is_like((console, result), simulate(file, SECONDS, [name, *more]))
+            is_like((console, result), simulate(file, SECONDS, line))

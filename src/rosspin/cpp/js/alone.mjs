@@ -64,10 +64,10 @@ export class Alone extends Node {
     this.#paced = paced
   }
 
-  /** Run it to its end; return its exit status, and when (s) that was. */
-  run() {
+  /** Run it to its end; a promise of its exit status, and when (s) that was. */
+  async run() {
     try {
-      super.run()
+      await super.run()
     } catch (error) {
       if (!(error instanceof Ended)) throw error
       return { status: error.status, end: seconds(this.shared.now) }

@@ -34,7 +34,7 @@ export class Beside {
       return promise
     }
     const node = new Suspended(this.#module, start, wait, (batch) => this.#pass(batch))
-    node.runSuspended().then(() => this.#told(), (error) => this.#tell(Promise.reject(error)))
+    node.runSuspended(true).then(() => this.#told(), (error) => this.#tell(Promise.reject(error)))
   }
 
   #pass({ ticks, ...rest }) {

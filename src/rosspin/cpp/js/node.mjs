@@ -6,8 +6,9 @@
 // unless it `asks` something (text), or has ended, with a `status` or by a `trap`, in words. The host answers { now, horizon, events,
 // signals }, and `answer`: the node may run on its own as long as its time is before `horizon`.
 
-import { Program } from "./wasi.mjs"
 import { functionNames } from "./names.mjs"
+import { hasThreads } from "./threads.mjs"
+import { Program } from "./wasi.mjs"
 
 const NEVER = (1n << 63n) - 1n
 
@@ -37,7 +38,9 @@ export class Node {
     shared.ahead = this.ahead
   }
 
+  /** Run it. With threads, it is a promise. */
   run() {
+    if (hasThreads(this.module)) return this.runSuspended(false)
     let end
     try {
       end = { status: this.program.run((...given) => this.#imports(...given)) }
@@ -47,9 +50,9 @@ export class Node {
     this.pass(this.#batch(end))
   }
 
-  /** Run it beside others: what `exchange` returns are promises. */
-  async runSuspended() {
-    const end = await this.program.runSuspended((...given) => this.#imports(...given)).then(
+  /** Run it with threads, or beside others: what `exchange` returns are promises, then. */
+  async runSuspended(isBeside) {
+    const end = await this.program.runSuspended((...given) => this.#imports(...given), isBeside).then(
       (status) => ({ status }),
       (error) => this.#trap(error),
     )

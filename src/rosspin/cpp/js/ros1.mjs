@@ -29,8 +29,8 @@ export class Ros1 {
       }
       return number
     },
-    subscribers: (number) => BigInt(this.#others(this.#subscriptions, this.#publications[number]).length),
-    publishers: (number) => BigInt(this.#others(this.#publications, this.#subscriptions[number]).length),
+    subscribers: (number) => BigInt(this.#others(this.#subscriptions, this.#publications[number]).length > 0),
+    publishers: (number) => BigInt(this.#others(this.#publications, this.#subscriptions[number]).length > 0),
     advertise_service: (name, request) => void this.#services.set(name, request),
     service_exists: (name) => this.#services.has(name),
     get_param: (name) => parts(name).reduce((at, part) => at?.[part], this.#parameters),

@@ -42,5 +42,5 @@ const modules = new Map()
 for (;;) {
   const { program, ...start } = read()
   if (!modules.has(program)) modules.set(program, new WebAssembly.Module(readFileSync(program)))
-  new Node(modules.get(program), start, exchange, pass).run()
+  await new Node(modules.get(program), start, exchange, pass).run()
 }

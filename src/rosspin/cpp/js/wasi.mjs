@@ -1,6 +1,7 @@
 // The world of a C++ node: WASI (snapshot preview 1) on a simulated clock, for Node and for the page.
 
 import { Shared } from "./shared.mjs"
+import { Threads } from "./threads.mjs"
 
 const SUCCESS = 0
 const BADF = 8
@@ -56,6 +57,7 @@ export class Program {
   constructor(module, args, environment, link) {
     this.module = module
     this.link = link
+    this.threads = new Threads(this)
     this.args = args.map((word) => encoder.encode(`${word}\0`))
     this.environment = Object.entries(environment).map(([name, value]) => encoder.encode(`${name}=${value}\0`))
   }
@@ -67,7 +69,7 @@ export class Program {
       try {
         this.exports._start()
       } catch (error) {
-        this.#tell(error)
+        this.#tell(error, (called) => called)
       }
       return 0
     } catch (error) {
@@ -75,14 +77,14 @@ export class Program {
     }
   }
 
-  /** Do the same beside others: a promise of the exit status. */
-  async runSuspended(imports) {
-    this.#begin(imports, SUSPENDED)
+  /** Do the same with threads, or beside others: a promise of the exit status. */
+  async runSuspended(imports, isBeside) {
+    this.#begin(imports, isBeside ? SUSPENDED : AT_ONCE)
     try {
       try {
-        await this.into(this.exports._start)()
+        await Promise.race([WebAssembly.promising(this.exports._start)(), this.threads.failed])
       } catch (error) {
-        await this.#tell(error)
+        await this.#tell(error, WebAssembly.promising)
       }
       return 0
     } catch (error) {
@@ -95,7 +97,7 @@ export class Program {
     const out = (steps) => calls.out(steps, this.link.exchange)
     const instance = new WebAssembly.Instance(this.module, {
       wasi_snapshot_preview1: this.#complete(this.#wasi(out)),
-      rosspin: imports(this, out),
+      rosspin: { ...imports(this, out), ...this.threads.imports },
     })
     this.exports = instance.exports
     this.memory = instance.exports.memory
@@ -104,10 +106,10 @@ export class Program {
   }
 
   /** Let it tell which exception of C++ it is that has ended it, and exit. Any other error is thrown. */
-  #tell(error) {
+  #tell(error, into) {
     const tag = this.exports.__cpp_exception
     if (!(tag && error instanceof WebAssembly.Exception && error.is(tag))) throw error
-    return this.into(this.exports.rosspin_uncaught)(error.getArg(tag, 0))
+    return into(this.exports.rosspin_uncaught)(error.getArg(tag, 0))
   }
 
   /** The exit status by which it has ended itself. Any other error is thrown. */

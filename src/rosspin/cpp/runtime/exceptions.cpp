@@ -43,8 +43,21 @@ struct alignas(16) Header
   Header* primary;   // of one that another exception_ptr rethrows: that whose object it shares
 };
 
-Header* caught_here;   // that of the innermost catch clause
-unsigned uncaught;
+}  // namespace
+
+// Of the thread that goes on: the exception of its innermost catch clause, and how many are on their way.
+extern "C"
+{
+struct
+{
+  Header* caught;
+  unsigned uncaught;
+} rosspin_handling;
+}
+
+namespace
+{
+auto& [caught_here, uncaught] = rosspin_handling;
 
 Header* header_of(void* object) { return static_cast<Header*>(object) - 1; }
 void* object_of(Header* header) { return header + 1; }

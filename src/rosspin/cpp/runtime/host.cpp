@@ -7,8 +7,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <pthread.h>
 #include <unistd.h>
 
 #define FROM_HOST(name) __attribute__((import_module("rosspin"), import_name(name))) extern
@@ -186,8 +184,13 @@ std::int64_t now()
 
 std::int64_t system_now() { return now() + shared.ahead; }
 
+namespace detail
+{
+std::int64_t time() { return shared.now; }
+std::int64_t ahead() { return shared.ahead; }
+
 // Nobody else has anything to do before the horizon, so the time goes on to it without the host.
-void wait(std::int64_t until)
+void go_on(std::int64_t until)
 {
   if (until > shared.now)
     shared.looks = 0;
@@ -198,17 +201,36 @@ void wait(std::int64_t until)
   else if (until > shared.now)
     shared.now = until;
 }
+}  // namespace detail
+
+void wait(std::int64_t until)
+{
+  if (until <= shared.now || detail::is_alone())
+    detail::go_on(until);
+  if (!detail::is_alone())
+    wait_for(&on_event, until);
+}
+
+void stir() { notify(&on_event, true); }
 
 void sleep_until(std::int64_t until)
 {
   while (shared.now < until)
-    wait(until);
+    wait_for(nullptr, until);
 }
 
 void look()
 {
   if (int times = shared.looks++ / most_looks)
-    rosspin_wait(shared.now + one_look[std::min(times, 4)]);
+  {
+    std::int64_t until = shared.now + one_look[std::min(times, 4)];
+    std::int32_t looks = shared.looks;
+    if (detail::is_alone())
+      rosspin_wait(until);
+    else
+      wait_for(nullptr, until);
+    shared.looks = looks;
+  }
 }
 
 namespace
@@ -417,10 +439,11 @@ namespace
 using Handler = void (*)(int);
 Handler handlers[65];  // null: the signal's default
 
-void handle(int number)
+void* handle(void* value)
 {
+  int number = reinterpret_cast<int>(value);
   if (Handler handler = handlers[number]; handler == SIG_IGN)
-    return;
+    return nullptr;
   else if (handler)
     handler(number);
   else if (number != SIGCHLD && number != SIGCONT && number != SIGURG && number != SIGWINCH)
@@ -428,6 +451,7 @@ void handle(int number)
     std::fflush(nullptr);
     std::_Exit(128 + number);
   }
+  return nullptr;
 }
 }  // namespace
 
@@ -457,7 +481,7 @@ int raise(int number)
     errno = EINVAL;
     return -1;
   }
-  handle(number);
+  handle(reinterpret_cast<void*>(number));
   return 0;
 }
 
@@ -471,17 +495,15 @@ void abort()
 
 int getpid() { return 1; }
 
-// Called by std::thread, std::async and their like.
-int pthread_create(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)
-{
-  rosspin::not_simulated("std::thread");
-}
-
 __attribute__((export_name("rosspin_signal"))) void rosspin_signal(int number)
 {
   if (static bool told = false; !std::exchange(told, true))
     rosspin::tell_coming();
-  handle(number);
+  // Whoever waits now cannot wait for anything else meanwhile.
+  if (rosspin::detail::begin_thread)
+    rosspin::detail::begin_thread(handle, reinterpret_cast<void*>(number));
+  else
+    handle(reinterpret_cast<void*>(number));
 }
 
 // Something has come, as text that the program frees.
@@ -493,5 +515,6 @@ __attribute__((export_name("rosspin_event"))) void rosspin_event(char* text, std
   std::free(text);
   if (rosspin::on_event)
     rosspin::on_event(what, when, values);
+  rosspin::stir();
 }
 }

@@ -2,6 +2,8 @@
 #include "ros/ros.h"
 
 #include <csignal>
+#include <optional>
+#include <thread>
 
 namespace ros
 {
@@ -20,9 +22,8 @@ struct Node
   std::int64_t calls = 0;
   std::map<std::int64_t, rosspin::Value> responses;  // to calls that wait
   bool time = false;
-  std::vector<detail::Spinning*> spinners;  // that have started
-  bool in_spinner = false;  // one of these is calling
-  std::int64_t main_waits = 0;  // until when
+  // The queues that are spun: by how many spinners, and in which thread, if that is the only one.
+  std::map<CallbackQueue*, std::pair<int, std::thread::id>> spun;
 };
 
 Node& node()
@@ -38,9 +39,6 @@ std::int64_t later(std::int64_t time, std::int64_t by)
 {
   return by > rosspin::never - time ? rosspin::never : time + by;
 }
-
-void pause(std::int64_t until);
-bool call_in_spinner();
 }  // namespace
 
 // --- time (sources: rostime/impl/time.h, impl/duration.h, rate.cpp, time.cpp) ---
@@ -91,9 +89,8 @@ std::int64_t now(SteadyTime*) { return rosspin::now(); }
 
 void sleep_for(std::int64_t ns)
 {
-  if (ns < 0)  // the real one asks the system again and again, which refuses
-    pause(rosspin::never);
-  pause(later(rosspin::now(), ns));
+  // Of a length below 0 the real one asks the system again and again, which refuses.
+  rosspin::sleep_until(ns < 0 ? rosspin::never : later(rosspin::now(), ns));
 }
 
 bool sleep_until(Time*, std::int64_t ns)
@@ -106,7 +103,7 @@ bool sleep_until(WallTime*, std::int64_t ns) { return sleep_until(static_cast<Ti
 bool sleep_until(SteadyTime*, std::int64_t ns)
 {
   if (ns > rosspin::now())
-    pause(ns);
+    rosspin::sleep_until(ns);
   return true;
 }
 
@@ -410,7 +407,6 @@ bool isStarted() { return node().started; }
 bool ok()
 {
   rosspin::look();
-  while (call_in_spinner()) {}
   return node().ok;
 }
 
@@ -431,9 +427,18 @@ void shutdown()
     rosspin::tell("shutdown");
   }
   self.logs = self.started = self.ok = false;
+  rosspin::stir();
 }
 
 void requestShutdown() { shutdown(); }
+
+void waitForShutdown()
+{
+  while (node().ok)
+    rosspin::wait(rosspin::never);
+}
+
+// --- callbacks (source: callback_queue.cpp) ---
 
 namespace
 {
@@ -441,21 +446,11 @@ void call_due_timers();
 std::int64_t next_timer();
 }  // namespace
 
-void waitForShutdown()
-{
-  Node& self = node();
-  self.main_waits = rosspin::never;
-  while (self.ok)
-    if (!call_in_spinner())
-      rosspin::wait(next_timer());
-}
-
-// --- callbacks (source: callback_queue.cpp) ---
-
 void CallbackQueue::addCallback(const CallbackInterfacePtr& callback, std::uint64_t owner)
 {
   if (enabled_)
     waiting_.push_back({callback, owner});
+  rosspin::stir();
 }
 
 void CallbackQueue::removeByID(std::uint64_t owner)
@@ -472,12 +467,17 @@ bool CallbackQueue::empty()
   return waiting_.empty();
 }
 
+std::list<CallbackQueue::Entry>::iterator CallbackQueue::first()
+{
+  return std::find_if(waiting_.begin(), waiting_.end(), [](const Entry& entry) { return entry.callback->ready(); });
+}
+
 bool CallbackQueue::await(std::int64_t until)
 {
   for (;;)
   {
     call_due_timers();
-    if (!waiting_.empty())
+    if (first() != waiting_.end())
       return true;
     if (!enabled_ || rosspin::now() >= until || (this == &node().queue && !node().ok))
       return false;
@@ -492,8 +492,9 @@ CallbackQueue::CallOneResult CallbackQueue::callOne(WallDuration timeout)
   rosspin::look();
   if (!await(later(rosspin::now(), timeout.toNSec())))
     return Empty;
-  Entry entry = waiting_.front();
-  waiting_.pop_front();
+  auto found = first();
+  Entry entry = *found;
+  waiting_.erase(found);
   entry.callback->call();
   return Called;
 }
@@ -510,13 +511,17 @@ void CallbackQueue::callAvailable(WallDuration timeout)
   struct Leave
   {
     std::vector<std::list<Entry>*>& calling;
-    ~Leave() { calling.pop_back(); }
-  } leave{calling_};
+    std::list<Entry>* taken;
+    ~Leave() { calling.erase(std::find(calling.begin(), calling.end(), taken)); }
+  } leave{calling_, &taken};
   while (!taken.empty() && enabled_)
   {
     Entry entry = taken.front();
     taken.pop_front();
-    entry.callback->call();
+    if (entry.callback->ready())
+      entry.callback->call();
+    else
+      addCallback(entry.callback, entry.owner);
   }
 }
 
@@ -524,79 +529,84 @@ CallbackQueue* getGlobalCallbackQueue() { return &node().queue; }
 
 // --- spinners (source: spinner.cpp) ---
 
+namespace
+{
+// Whoever spins a queue: several threads, or the one that makes this.
+class Spun
+{
+public:
+  Spun(CallbackQueue* queue, bool is_single, const std::string& who) : queue_(queue)
+  {
+    std::thread::id thread = is_single ? std::this_thread::get_id() : std::thread::id();
+    auto& [count, other] = node().spun.try_emplace(queue, 0, thread).first->second;
+    if (other != thread)
+    {
+      std::string said = who + "Attempt to spin a callback queue from two spinners, one of them being single-threaded.";
+      if (is_single)
+        said += " You might want to use a MultiThreadedSpinner instead.";
+      ROS_FATAL_STREAM(said);
+      throw std::runtime_error(said);
+    }
+    count++;
+  }
+  ~Spun()
+  {
+    if (auto found = node().spun.find(queue_); --found->second.first == 0)
+      node().spun.erase(found);
+  }
+
+private:
+  CallbackQueue* queue_;
+};
+}  // namespace
+
 namespace detail
 {
 struct Spinning
 {
-  std::uint32_t threads;
+  std::size_t count;
   CallbackQueue* queue;
+  NodeHandle handle;
+  std::optional<Spun> spun;
+  std::vector<std::thread> threads;
   ~Spinning() { stop(); }
+
+  void start()
+  {
+    if (spun)
+      return;
+    spun.emplace(queue, false, "AsyncSpinnerImpl: ");
+    auto call = [this, timeout = WallDuration(0.1)]
+    {
+      while (spun && handle.ok())
+        if (count == 1)
+          queue->callAvailable(timeout);
+        else
+          queue->callOne(timeout);
+    };
+    while (threads.size() < count)
+      threads.emplace_back(call);
+  }
+
   void stop()
   {
-    auto& all = node().spinners;
-    all.erase(std::remove(all.begin(), all.end(), this), all.end());
+    spun.reset();
+    for (std::thread& each : threads)
+      each.join();
+    threads.clear();
   }
 };
 }  // namespace detail
 
-namespace
-{
-const char* const two_spinners =
-    "Attempt to spin a callback queue from two spinners, one of them being single-threaded.";
-
-// There is one thread: what a spinner's would call is called while the main one waits. To whoever looks from outside this
-// is the same, unless one of them has to go on while the other is still at it.
-bool call_in_spinner()
-{
-  Node& self = node();
-  if (self.spinners.empty() || self.in_spinner || !self.ok)
-    return false;
-  for (auto each : self.spinners)
-    if (!each->queue->empty())
-    {
-      self.in_spinner = true;
-      each->queue->callOne();
-      self.in_spinner = false;
-      return true;
-    }
-  return false;
-}
-
-void pause(std::int64_t until)
-{
-  Node& self = node();
-  if (self.spinners.empty())
-    return rosspin::sleep_until(until);
-  if (!self.in_spinner)
-    self.main_waits = until;
-  else if (until > self.main_waits)
-    rosspin::not_simulated("ros::AsyncSpinner with a callback that sleeps while the main thread goes on");
-  while (rosspin::now() < until)
-  {
-    if (call_in_spinner())
-      continue;
-    rosspin::wait(std::min(until, next_timer()));
-    for (auto each : self.spinners)
-      if (self.in_spinner && each->threads != 1 && !each->queue->empty() && rosspin::now() < until)
-        rosspin::not_simulated("ros::AsyncSpinner with two threads at work at the same time");
-  }
-  if (!self.in_spinner)
-    self.main_waits = 0;
-}
-}  // namespace
-
+// Without a number of threads there are 4, not as many as there are processors.
 AsyncSpinner::AsyncSpinner(std::uint32_t threads, CallbackQueue* queue)
-  : spinning_(new detail::Spinning{threads, queue ? queue : getGlobalCallbackQueue()})
+  : spinning_(new detail::Spinning{threads ? threads : 4, queue ? queue : getGlobalCallbackQueue()})
 {
 }
 
 bool AsyncSpinner::canStart() { return true; }
 
-void AsyncSpinner::start()
-{
-  spinning_->stop();
-  node().spinners.push_back(spinning_.get());
-}
+void AsyncSpinner::start() { spinning_->start(); }
 
 void AsyncSpinner::stop() { spinning_->stop(); }
 
@@ -612,14 +622,7 @@ void SingleThreadedSpinner::spin(CallbackQueue* queue)
 {
   if (!queue)
     queue = getGlobalCallbackQueue();
-  for (auto each : node().spinners)
-    if (each->queue == queue)
-    {
-      std::string said = std::string("SingleThreadedSpinner: ") + two_spinners +
-                         " You might want to use a MultiThreadedSpinner instead.";
-      ROS_FATAL_STREAM(said);
-      throw std::runtime_error(said);
-    }
+  Spun spun(queue, true, "SingleThreadedSpinner: ");
   rosspin::Ticking::leave_loops();
   while (node().ok)
     if (queue->await(rosspin::never))
@@ -748,6 +751,7 @@ void TimerImpl::start()
         run->timer->queue_->addCallback(run, run->order);
       },
       id});
+  rosspin::stir();
 }
 
 void TimerImpl::stop()
@@ -787,6 +791,7 @@ void TimerImpl::set_period(std::int64_t new_period, bool reset)
       run_->next = elapsed > new_period ? now : run_->last_real + new_period;
   }
   period = new_period;
+  rosspin::stir();
 }
 
 std::vector<std::pair<std::int64_t, std::int64_t>> TimerImpl::coming() const
@@ -828,6 +833,7 @@ CallbackInterface::CallResult TimerImpl::Run::call()
   is_called = true;
   callback(called);
   is_called = false;
+  call_due_timers();  // others that became due meanwhile come first
   duration = rosspin::now() - begun;
   TimerImpl::end_tick(tick, duration);
   if (!timer)
@@ -892,7 +898,10 @@ struct SubscriptionImpl::Queue : CallbackInterface
   std::uint32_t size;
   std::function<void(Received&)> callback;
   Tracked tracked;
-  bool ended = false;
+  bool ended = false, concurrent = false;
+  int calls = 0;  // that go on
+  std::thread::id caller;
+  bool ready() override { return concurrent || !calls || caller == std::this_thread::get_id(); }
   CallResult call() override
   {
     VoidConstPtr held;
@@ -900,18 +909,33 @@ struct SubscriptionImpl::Queue : CallbackInterface
       return Invalid;
     auto message = messages.front();
     messages.pop_front();
+    struct Calling
+    {
+      Queue& queue;
+      explicit Calling(Queue& queue) : queue(queue)
+      {
+        queue.calls++;
+        queue.caller = std::this_thread::get_id();
+      }
+      ~Calling()
+      {
+        queue.calls--;
+        rosspin::stir();
+      }
+    } calling(*this);
     callback(*message);
     return Success;
   }
 };
 
 SubscriptionImpl::SubscriptionImpl(const std::string& topic, const char* type, std::uint32_t queue_size,
-    std::function<void(Received&)> callback, Tracked tracked, CallbackQueueInterface* queue)
+    std::function<void(Received&)> callback, Tracked tracked, CallbackQueueInterface* queue, bool concurrent)
   : topic(topic), waiting_(boost::make_shared<Queue>()), queue_(queue)
 {
   waiting_->size = queue_size;
   waiting_->callback = std::move(callback);
   waiting_->tracked = std::move(tracked);
+  waiting_->concurrent = concurrent;
   node().subscriptions.push_back(this);
   id_ = rosspin::ask("subscribe", {topic, type}).whole;
 }
@@ -925,6 +949,9 @@ void SubscriptionImpl::end()
   all.erase(std::remove(all.begin(), all.end(), this), all.end());
   if (node().ok)
     rosspin::tell("unsubscribe", {id_});
+  auto waiting = waiting_;
+  while (!waiting->ready())  // another thread is still calling back
+    rosspin::wait(rosspin::never);
 }
 
 std::uint32_t SubscriptionImpl::connections() const
@@ -1030,12 +1057,11 @@ bool ClientImpl::call(const char* request_type, const std::string& request, std:
   if (ended || !self.ok)
     return false;
   if (!connected || !persistent)
-    pause(rosspin::now() + find_service);
+    rosspin::sleep_until(rosspin::now() + find_service);
   std::int64_t number = self.calls++;
   rosspin::tell("call", {number, id_, persistent, name, request_type, data_of(request)});
   while (self.ok && !self.responses.count(number))
-    if (!call_in_spinner())
-      rosspin::wait(next_timer());
+    rosspin::wait(rosspin::never);
   auto found = self.responses.find(number);
   if (found == self.responses.end())
     return false;
@@ -1220,10 +1246,11 @@ Publisher NodeHandle::advertised(const std::string& topic, const char* type, std
 }
 
 Subscriber NodeHandle::subscribed(const std::string& topic, const char* type, std::uint32_t queue_size,
-    std::function<void(detail::Received&)> receive, const VoidConstPtr& tracked, CallbackQueueInterface* queue)
+    std::function<void(detail::Received&)> receive, const VoidConstPtr& tracked, CallbackQueueInterface* queue,
+    bool concurrent)
 {
   auto impl = boost::make_shared<detail::SubscriptionImpl>(resolveName(topic), type, queue_size, std::move(receive),
-      detail::Tracked(tracked), queue ? queue : getCallbackQueue());
+      detail::Tracked(tracked), queue ? queue : getCallbackQueue(), concurrent);
   keep(impl);
   return Subscriber(impl);
 }

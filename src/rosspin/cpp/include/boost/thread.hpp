@@ -21,16 +21,7 @@ public:
 }  // namespace detail
 typedef detail::Mutex<std::mutex> mutex;
 typedef detail::Mutex<std::timed_mutex> timed_mutex;
-
-// There is one thread: it may lock this as often as it likes.
-class recursive_mutex
-{
-public:
-  typedef std::unique_lock<recursive_mutex> scoped_lock;
-  void lock() {}
-  bool try_lock() { return true; }
-  void unlock() {}
-};
+typedef detail::Mutex<std::recursive_mutex> recursive_mutex;
 
 typedef std::condition_variable_any condition_variable;
 using std::lock_guard;

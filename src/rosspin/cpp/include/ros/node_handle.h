@@ -257,7 +257,7 @@ public:
   Subscriber subscribe(SubscribeOptions& options)
   {
     return subscribed(options.topic, options.datatype.c_str(), options.queue_size, options.receive,
-        options.tracked_object, options.callback_queue);
+        options.tracked_object, options.callback_queue, options.allow_concurrent_callbacks);
   }
 
   // --- services ---
@@ -389,7 +389,8 @@ private:
   }
   Publisher advertised(const std::string& topic, const char* type, std::uint32_t queue_size, bool latch);
   Subscriber subscribed(const std::string& topic, const char* type, std::uint32_t queue_size,
-      std::function<void(detail::Received&)> receive, const VoidConstPtr& tracked, CallbackQueueInterface* queue);
+      std::function<void(detail::Received&)> receive, const VoidConstPtr& tracked, CallbackQueueInterface* queue,
+      bool concurrent = false);
   void keep(const boost::shared_ptr<detail::Kept>& one);
   ServiceClient client(const std::string& name, bool persistent);
 

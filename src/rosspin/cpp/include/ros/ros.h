@@ -168,6 +168,7 @@ private:
     CallbackInterfacePtr callback;
     std::uint64_t owner;
   };
+  std::list<Entry>::iterator first();  // that can be called now
   std::list<Entry> waiting_;
   std::vector<std::list<Entry>*> calling_;  // those that callAvailable has taken, innermost last
   bool enabled_;
@@ -371,7 +372,7 @@ namespace detail
 struct Spinning;
 }
 
-// Its threads call what comes while the main thread waits. A callback that would keep another thread waiting ends the run.
+// Its threads call what comes.
 class AsyncSpinner
 {
 public:

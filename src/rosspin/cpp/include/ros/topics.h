@@ -92,7 +92,7 @@ class SubscriptionImpl : public Kept
 {
 public:
   SubscriptionImpl(const std::string& topic, const char* type, std::uint32_t queue_size,
-      std::function<void(Received&)> callback, Tracked tracked, CallbackQueueInterface* queue);
+      std::function<void(Received&)> callback, Tracked tracked, CallbackQueueInterface* queue, bool concurrent);
   ~SubscriptionImpl() override { end(); }
   void end() override;
   std::uint32_t connections() const;

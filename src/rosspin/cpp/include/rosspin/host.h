@@ -24,8 +24,24 @@ std::int64_t system_now();
 void wait(std::int64_t until);
 // Let it go on to `until`, whatever comes.
 void sleep_until(std::int64_t until);
+// Let this thread wait until a time (ns), or until someone notifies of `what`; return whether that was.
+bool wait_for(const void* what, std::int64_t until);
+// Let a thread that waits for it go on, the one that has waited longest, or `all` of them.
+void notify(const void* what, bool all);
+// Something has changed: whoever waits for what comes looks again.
+void stir();
 // Whoever asks the same again and again, without waiting, waits by asking.
 void look();
+
+// What threads are made of (see runtime/threads.cpp).
+namespace detail
+{
+std::int64_t time();
+std::int64_t ahead();
+void go_on(std::int64_t until);
+bool is_alone();
+extern void (*begin_thread)(void* (*start)(void*), void* value);  // null until a thread was made
+}  // namespace detail
 
 // Something that ticks. The host records its ticks, and at the end of the run, what would have come next. Times are in ns.
 class Ticking

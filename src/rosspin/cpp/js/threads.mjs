@@ -1,0 +1,39 @@
+// The threads of a program: each has a stack of its own, which is suspended (JSPI) while another goes on. Which one that
+// is, the program says (see runtime/threads.cpp).
+
+/** Whether a program begins threads, and can do so here. */
+export const hasThreads = (module) => HAS_JSPI && WebAssembly.Module.imports(module).some(({ name }) => name === "thread")
+
+const HAS_JSPI = "Suspending" in WebAssembly
+
+export class Threads {
+  /** A promise that fails as soon as a thread does: that has ended the program. */
+  failed
+  #fail
+  #goOn = new Map() // how each goes on that waits, by its number
+
+  constructor(program) {
+    this.failed = new Promise((_, reject) => (this.#fail = reject))
+    this.failed.catch(() => {}) // whoever runs the program hears of it
+    const turn = (from, to) => {
+      const turned = new Promise((goOn) => this.#goOn.set(from, goOn))
+      this.#go(to)
+      return turned
+    }
+    this.imports = {
+      thread: (body, thread) => {
+        const begin = () => WebAssembly.promising(program.exports.__indirect_function_table.get(body))(thread).catch(this.#fail)
+        this.#goOn.set(thread, () => queueMicrotask(begin)) // not on the stack of the one before
+        return HAS_JSPI
+      },
+      turn: HAS_JSPI ? new WebAssembly.Suspending(turn) : turn,
+      leave: (to) => this.#go(to),
+    }
+  }
+
+  #go(thread) {
+    const goOn = this.#goOn.get(thread)
+    this.#goOn.delete(thread)
+    goOn()
+  }
+}
