@@ -10,8 +10,7 @@ import select
 import signal
 import sys
 import threading
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 
 from .descendants import kill_descendants
@@ -41,8 +40,8 @@ def guard(until: float | None, patience: float, last_words: LastWords) -> Iterat
     come, if that is known. The guardian hears a Ctrl-C from a terminal by itself; the function that this context yields
     tells it of any other. The last words go to ``sys.stderr``.
     """
-    deadline = time.monotonic() + (math.inf if until is None else until + patience)
-    with _guardian(lambda guarded, read: _watch(guarded, read, deadline, patience), last_words) as (write, dump):
+    left = math.inf if until is None else until + patience
+    with _guardian(left, {b"!": patience}, last_words) as (write, dump):
 
         def interrupted() -> None:
             os.write(write, b"!")
@@ -56,7 +55,7 @@ def guard(until: float | None, patience: float, last_words: LastWords) -> Iterat
 @contextmanager
 def guard_threads(last_words: LastWords) -> Iterator[None]:
     """Start a process that kills this one if code in C keeps its threads from running for a minute."""
-    with _guardian(_listen, last_words) as (write, dump):
+    with _guardian(_SILENT, {b"+": _SILENT}, last_words) as (write, dump):
         over = threading.Event()
 
         def beat() -> None:
@@ -75,10 +74,10 @@ def guard_threads(last_words: LastWords) -> Iterator[None]:
 
 
 @contextmanager
-def _guardian(watch: Callable[[int, int], None], last_words: LastWords) -> Iterator[tuple[int, int]]:
-    """Start a process that calls ``watch(guarded, read)`` and then kills this one.
+def _guardian(left: float, after: Mapping[bytes, float], last_words: LastWords) -> Iterator[tuple[int, int]]:
+    """Start a process that kills this one when :func:`_watch` returns.
 
-    Yields the ends of two pipes to write to: ``watch`` reads the first; stacks for the last words go into the second.
+    Yields the ends of two pipes to write to: that reads the first; stacks for the last words go into the second.
     """
     read, write = os.pipe()
     stacks, dump = os.pipe()
@@ -88,7 +87,7 @@ def _guardian(watch: Callable[[int, int], None], last_words: LastWords) -> Itera
     if not guardian:
         os.close(write)
         os.close(dump)
-        watch(guarded, read)
+        _watch(guarded, read, left, after)
         _kill(guarded, last_words(_read_stacks(stacks)))
     os.close(read)
     os.close(stacks)
@@ -102,18 +101,28 @@ def _guardian(watch: Callable[[int, int], None], last_words: LastWords) -> Itera
         os.waitpid(guardian, 0)
 
 
-def _listen(guarded: int, read: int) -> None:
-    """Return when nothing has come for too long; exit if the guarded process ends first."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    silent = 0.0  # counted, not read from a clock: both processes may have been stopped
-    while os.getppid() == guarded and silent < _SILENT:
+def _watch(guarded: int, read: int, left: float, after: Mapping[bytes, float]) -> None:
+    """Return in ``left`` seconds; exit if the guarded process ends first.
+
+    What it writes leaves it as long as ``after`` says: "+" from now on, "!", as a Ctrl-C does, at most. The time is
+    counted, not read from a clock: both processes may have been stopped.
+    """
+
+    def interrupted(number: int, frame: object) -> None:
+        nonlocal left
+        left = min(left, after.get(b"!", left))
+
+    signal.signal(signal.SIGINT, interrupted)
+    while os.getppid() == guarded and left > 0:
         if not select.select([read], [], [], _BEFORE)[0]:
-            silent += _BEFORE
-        elif os.read(read, 1) == b"+":
-            silent = 0.0
+            left -= _BEFORE
+        elif (told := os.read(read, 1)) == b"!":
+            interrupted(0, None)
+        elif told not in after:
+            break  # the guarded process has come to its end
         else:
-            os._exit(0)
-    if os.getppid() != guarded:
+            left = after[told]
+    if left > 0:
         os._exit(0)
 
 
@@ -122,24 +131,6 @@ def _kill(guarded: int, words: str) -> None:
     sys.stderr.flush()
     kill_descendants(guarded)
     os.kill(guarded, signal.SIGKILL)
-    os._exit(0)
-
-
-def _watch(guarded: int, read: int, deadline: float, patience: float) -> None:
-    """Wait until the deadline, or until ``patience`` seconds after a Ctrl-C; exit if the guarded process ends first."""
-
-    def interrupted(number: int, frame: object) -> None:
-        nonlocal deadline
-        deadline = min(deadline, time.monotonic() + patience)
-
-    signal.signal(signal.SIGINT, interrupted)
-    while os.getppid() == guarded:
-        if select.select([read], [], [], 0.2)[0]:
-            if os.read(read, 1) != b"!":
-                break  # the guarded process has come to its end
-            interrupted(0, None)
-        if time.monotonic() > deadline:
-            return
     os._exit(0)
 
 

@@ -19,7 +19,7 @@ from .frames import Trail, Whereabouts, places, trail
 from .guard import LastWords, guard
 from .loops import Loops
 from .patches import Builtins
-from .signals import Died, send, simulated_signals
+from .signals import send, simulated_signals
 from .simulation import Simulation
 from .stacks import Program, Stack, current, enter
 from .threads import followed_threads, simulated_threads
@@ -27,7 +27,6 @@ from .virtual_time import virtual_time
 from .watchdog import watch
 
 __all__ = [
-    "Died",
     "Killed",
     "LastResort",
     "SimulatedProgram",
@@ -36,12 +35,14 @@ __all__ = [
     "end_run",
     "press_ctrl_c",
     "run_on_the_wall",
-    "send",
     "where_it_waits",
 ]
 
 # The signal that ends a blocking call in the main thread. Programs leave it alone.
 _END: int = getattr(signal, "SIGRTMAX", 0) or getattr(signal, "SIGUSR2", signal.SIGINT)
+
+# What stands among the signals for the end of the program.
+_ENDED = 0
 
 # How long (s) a killed program may stay in a call that heeds no signal. As long again, and the guard kills the process.
 _DEAF = 1.0
@@ -267,48 +268,38 @@ class _Alarm:
 
     def __exit__(self, *error: object) -> None:
         signal.set_wakeup_fd(self._before)
-        os.write(self._write, b"\0")
+        os.write(self._write, bytes([_ENDED]))
         self._thread.join()
         os.close(self._read)
         os.close(self._write)
 
     def _run(self) -> None:
-        interrupted = self._wait_for_ctrl_c(self._until)
-        if interrupted is None:
+        came = self._wait(self._until, _ENDED, signal.SIGINT)
+        if came == _ENDED:
             return
         self._program.interrupted = True
         if self._interrupted:
             self._interrupted()
-        if not interrupted:
+        if came is None:
             signal.pthread_kill(self._ident, signal.SIGINT)
-        if self._is_over(self._patience):
+        if self._wait(self._patience, _ENDED) == _ENDED:
             return
         frames = sys._current_frames()
         idents = [self._ident, *self._program.idents]
         self.waited = [_whereabouts(ident, trail(frames.get(ident))) for ident in idents]
         self.blocks = _blocks_sigint()
         deaf = time.monotonic() + _DEAF
-        while not self._is_over(0.1):
+        while self._wait(0.1, _ENDED) is None:
             if self._give_up and time.monotonic() > deaf:
                 self._give_up(Killed(self.waited, self.blocks))
                 os.kill(os.getpid(), signal.SIGKILL)
             signal.pthread_kill(self._ident, _END)
 
-    def _wait_for_ctrl_c(self, timeout: float | None) -> bool | None:
-        """Wait ``timeout`` seconds: True if someone presses Ctrl-C, False if no one does, None if the program ends."""
+    def _wait(self, timeout: float | None, *signals: int) -> int | None:
+        """Wait for one of these signals for ``timeout`` seconds. Return which came, the first of them before others."""
         deadline = None if timeout is None else time.monotonic() + timeout
         while select.select([self._read], [], [], None if deadline is None else max(deadline - time.monotonic(), 0))[0]:
             received = os.read(self._read, 4096)
-            if b"\0" in received:
-                return None
-            if signal.SIGINT in received:
-                return True
-        return False
-
-    def _is_over(self, timeout: float) -> bool:
-        """Wait ``timeout`` seconds, and say whether the program ends within them."""
-        deadline = time.monotonic() + timeout
-        while select.select([self._read], [], [], max(deadline - time.monotonic(), 0))[0]:
-            if b"\0" in os.read(self._read, 4096):
-                return True
-        return False
+            if came := [number for number in signals if number in received]:
+                return came[0]
+        return None

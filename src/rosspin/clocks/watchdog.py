@@ -11,6 +11,7 @@ from _thread import get_ident
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import perf_counter
+from traceback import walk_stack
 from types import FrameType
 from typing import Any
 
@@ -62,7 +63,7 @@ class Watchdog:
 
     def __init__(self, sign_of_life: Callable[[], int]) -> None:
         self._sign_of_life = sign_of_life
-        self._previous: Any = None
+        self._is_main = threading.current_thread() is threading.main_thread()
         self._last = -1
         self._looks = 0.0
         self._worked = self._busy_until_now()
@@ -72,9 +73,14 @@ class Watchdog:
         self._taking_down = False
 
     def __enter__(self) -> Watchdog:
-        raise NotImplementedError
+        if self._is_main:
+            # Only a signal also ends calls that block.
+            self._previous = signal.signal(signal.SIGINT, self._on_signal)
+        return self
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        if self._is_main:
+            signal.signal(signal.SIGINT, self._previous)
         if isinstance(error, Ended) and self._stuck:
             self._stuck.places += places(trail_of(error.__traceback__))
             raise self._stuck from None
@@ -95,6 +101,9 @@ class Watchdog:
 
     def _begin(self, taking_down: bool) -> None:
         self._taking_down, self._due, self._looks, self._last = taking_down, False, 0, -1
+
+    def _on_signal(self, number: int, frame: FrameType | None) -> None:
+        raise NotImplementedError
 
     def _busy_until_now(self) -> float:
         """For how long (s) the thread that is watched has had a processor or wanted one. In a page it always has."""
@@ -146,7 +155,6 @@ class _FromAThread(Watchdog):
 
     def __init__(self, sign_of_life: Callable[[], int]) -> None:
         self._ident = get_ident()
-        self._is_main = threading.current_thread() is threading.main_thread()
         self._clock = time.pthread_getcpuclockid(self._ident) if hasattr(time, "pthread_getcpuclockid") else None
         self._scheduled = f"/proc/self/task/{threading.get_native_id()}/schedstat"
         self._looked = perf_counter()
@@ -157,23 +165,18 @@ class _FromAThread(Watchdog):
         self._sent = self._received = 0  # signals of its own, or exceptions
         self._watcher = threading.Thread(target=self._watch, daemon=True)
         self._has_timer = self._is_main and _ITIMER is not None
-        self._set_at = perf_counter()  # the timer
 
     def __enter__(self) -> Watchdog:
-        if self._is_main:
-            # Only a signal also ends calls that block.
-            self._previous = signal.signal(signal.SIGINT, self._on_signal)
         if self._has_timer:
             self._previous_timer = signal.signal(signal.SIGVTALRM, self._on_timer), _getitimer(_ITIMER)
         self._set_timer()
+        super().__enter__()
         self._watcher.start()
         return self
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
         self._done.set()
         self._watcher.join()
-        if self._is_main:
-            signal.signal(signal.SIGINT, self._previous)
         if self._has_timer:
             handler, times = self._previous_timer
             _setitimer(_ITIMER, *times)
@@ -274,15 +277,7 @@ def _end_process(frame: FrameType | None) -> None:
 class _FromInterrupts(Watchdog):
     """Looks when it is interrupted: in a web page, without threads, ``web/src/worker.js`` interrupts every 0.4 s."""
 
-    def __enter__(self) -> Watchdog:
-        self._previous = signal.signal(signal.SIGINT, self._on_interrupt)
-        return self
-
-    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
-        signal.signal(signal.SIGINT, self._previous)
-        super().__exit__(kind, error, trace)
-
-    def _on_interrupt(self, number: int, frame: FrameType | None) -> None:
+    def _on_signal(self, number: int, frame: FrameType | None) -> None:
         from .jspi import can_raise  # which only a page can import
 
         if self._is_due(lambda: frame) and can_raise(frame):
@@ -295,8 +290,5 @@ def watch(sign_of_life: Callable[[], int]) -> Watchdog:
 
 
 def _is_importing(frame: FrameType | None) -> bool:
-    while frame:
-        if frame.f_code.co_filename == "<frozen importlib._bootstrap>":
-            return True
-        frame = frame.f_back
-    return False
+    frames = walk_stack(frame) if frame else ()
+    return any(each.f_code.co_filename == "<frozen importlib._bootstrap>" for each, _ in frames)

@@ -21,7 +21,8 @@ from typing import Any, Protocol, TypeVar
 from ..clocks.clock import NS, nanoseconds
 from ..clocks.explored import ExploredSimulation, Order
 from ..clocks.frames import as_printed
-from ..clocks.programs import press_ctrl_c, send
+from ..clocks.programs import press_ctrl_c
+from ..clocks.signals import send
 from ..results.ticks import Call, Message, Tick
 from ..run.beside import run_beside
 from ..run.explain import TimeStandsStill, waits_for_a_rate, where_it_was_kept

@@ -20,7 +20,8 @@ from ..clocks.ending import Ended
 from ..clocks.explored import ExploredSimulation
 from ..clocks.frames import Whereabouts
 from ..clocks.patches import Patch, patched
-from ..clocks.programs import Died, Killed, LastResort, SimulatedProgram, begin_beside, run_on_the_wall
+from ..clocks.programs import Killed, LastResort, SimulatedProgram, begin_beside, run_on_the_wall
+from ..clocks.signals import Died
 from ..clocks.simulation import Simulation, Standstill
 from ..clocks.stacks import Program, telling_turns
 from ..clocks.threads import list_threads, unlist_threads

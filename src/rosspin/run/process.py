@@ -24,7 +24,8 @@ from ..clocks.ending import Ended, heed
 from ..clocks.frames import format_error, is_installed
 from ..clocks.installed import is_installed_file, note_own
 from ..clocks.patches import Patch
-from ..clocks.programs import Died, end_program, end_run
+from ..clocks.programs import end_program, end_run
+from ..clocks.signals import Died
 from ..clocks.simulation import Simulation
 from ..clocks.stacks import StackExit, acting_for, whose
 from ..clocks.threads import begin_main, end_main

@@ -8,7 +8,8 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ...clocks.ctrl_c import ROS2_LAUNCH
-from ...clocks.programs import press_ctrl_c, send
+from ...clocks.programs import press_ctrl_c
+from ...clocks.signals import send
 from ...clocks.simulation import Simulation
 from ...clocks.threads import unlist_threads
 from ..host import Host

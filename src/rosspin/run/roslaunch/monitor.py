@@ -14,7 +14,8 @@ from functools import partial
 
 from ...clocks.clock import NS, nanoseconds
 from ...clocks.ctrl_c import ROSLAUNCH
-from ...clocks.programs import press_ctrl_c, send, where_it_waits
+from ...clocks.programs import press_ctrl_c, where_it_waits
+from ...clocks.signals import send
 from ...clocks.simulation import Simulation
 from ...clocks.threads import unlist_threads
 from ...rospy.state import Master
