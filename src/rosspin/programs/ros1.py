@@ -15,7 +15,7 @@ from typing import Any
 
 from ..messages.ros1 import Message
 from ..rospy import client
-from ..rospy.exceptions import TransportException
+from ..rospy.exceptions import ROSException, TransportException
 from ..rospy.msg import AnyMsg
 from ..rospy.service import Connection as Calls
 from ..rospy.service import Service, ServiceException, ServiceProxy, Services
@@ -152,16 +152,10 @@ class Ros1:
 
 
 def _search_param(namespace: str, name: str) -> str | None:
-    """Search upwards from a namespace (source: rosmaster/paramserver.py, search_param)."""
-    if name.startswith("/"):
-        return name if client.has_param(name) else None
-    first = name.partition("/")[0]
-    parts = [part for part in namespace.split("/") if part]
-    for above in range(len(parts), -1, -1):
-        around = "/".join(["", *parts[:above], ""])
-        if client.has_param(around + first):
-            return around + name
-    return None
+    try:
+        return client.search_from(namespace.rstrip("/"), name)
+    except ROSException:  # a private name, of which roscpp does not complain
+        return None
 
 
 def _from_command_line(text: str) -> Any:

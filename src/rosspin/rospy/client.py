@@ -297,7 +297,7 @@ def search_param(param_name: str) -> str | None:
 
 
 def search_from(node_name: str, name: str) -> str | None:
-    """Search for a parameter upwards from a node's namespace (source: rosmaster/paramserver.py)."""
+    """Search for a parameter upwards from a node's name, or a namespace (source: rosmaster/paramserver.py)."""
     if rosgraph.is_private(name):
         raise ROSException("cannot search for parameter: Internal failure: invalid key")
     if not name or rosgraph.is_global(name):
