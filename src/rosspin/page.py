@@ -21,7 +21,7 @@ import time
 import zipimport
 from collections import defaultdict, deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import chdir, contextmanager, redirect_stderr, redirect_stdout, suppress
+from contextlib import AbstractContextManager, chdir, contextmanager, redirect_stderr, redirect_stdout, suppress
 from functools import cache, partial, wraps
 from itertools import islice
 from json import dumps, loads
@@ -184,15 +184,24 @@ def _load(source: str, filename: str, page: Any) -> Code:
 def _program(source: str, filename: str, page: Any) -> Program:
     from .programs import Program  # most runs go without
 
-    begin = partial(_Child, page.program(os.path.basename(filename)))
+    begin = partial(_Child, page, os.path.basename(filename))
     return Program(2 if "rclcpp/" in source else 1, filename, begin)
+
+
+def _compiled_by(page: Any) -> AbstractContextManager[None]:
+    """Within this context, what is a node in C++ has been compiled by a page."""
+
+    def program(cpp: Cpp, path: str, waiting: object, text: str = "", closed: bool = False) -> Program:
+        return _program(text or Path(path).read_text(encoding="utf-8"), path, page)
+
+    return patched([(Cpp, "program", lambda real: program)])
 
 
 class _Child:
     """A node in C++ that runs in this page."""
 
-    def __init__(self, program: Any, world: World, clock: Simulation) -> None:
-        self._program = program
+    def __init__(self, page: Any, name: str, world: World, clock: Simulation) -> None:
+        self._program = page.program(name)
         self._clock = clock
 
     def go_on(self, message: Mapping[str, Any]) -> Iterator[Batch]:
@@ -207,13 +216,15 @@ class _Child:
         pass  # it ends with the page's Python
 
 
-def trace(exercise: str, text: str) -> str:
+def trace(exercise: str, text: str, page: Any) -> str:
     """Run the answer ``text`` to an ``exercise``, given by its name, and write down what it did.
+
+    ``page.program(name)`` returns the program of one in C++, as in :func:`run`.
 
     Returns the trace for :func:`judge` in another Python: JSON of little more than 2 MB at most, empty if there is no
     such exercise.
     """
-    with _left_as_found():
+    with _left_as_found(), _compiled_by(page):
         try:
             return exercises.trace(exercise, exercises.code(text))
         except ValueError:
@@ -421,10 +432,7 @@ def _launch(
 ) -> dict[str, Any]:
     from .results.folders import TemporaryFolder  # likewise
 
-    def program(cpp: Cpp, path: str, waiting: object) -> Program:
-        return _program(Path(path).read_text(encoding="utf-8"), path, page)
-
-    with TemporaryFolder() as folder, chdir(folder.path), patched([(Cpp, "program", lambda real: program)]):
+    with TemporaryFolder() as folder, chdir(folder.path), _compiled_by(page):
         for name, text in {**files, filename: source}.items():
             path = Path(name)
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -441,7 +449,7 @@ def _shown(result: Result, seconds: float, args: Sequence[str], pacer: _Pacer, p
     first = next(iter(result.host.processes), None)  # a launch file may start none
     ros = ROS.get(first.world.ros) if first else None
     if first and first.node.source is not None and ros and ended_early and not result.ticks and first.world.has_sources:
-        hints.append(f"The node had a timer, which was never called. Is {ros.spins} missing at its end?")
+        hints.append(f"The node had a timer, which was never called. Is {ros.words.spins} missing at its end?")
     if ros and ros.flag and ros.flag not in args and any(_FOR_ROS.match(word) for word in args):
         like = " ".join(ros.settings("-p", ["frequency:=5.0"]))
         hints.append(f"In ROS {ros.number}, what is for ROS follows {ros.flag}, as in: {like}")

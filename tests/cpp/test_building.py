@@ -56,7 +56,7 @@ def asked(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[Sequence[Mapp
         return "", 0
 
     building._made(1, lambda: None)  # the real one
-    monkeypatch.setattr(building, "_PROGRAMS", tmp_path)
+    monkeypatch.setattr(building, "_programs", tmp_path)
     monkeypatch.setattr(building, "_compile", compile_)
     return found
 
@@ -75,7 +75,8 @@ def test_a_compiler_is_asked_again_and_another_if_it_has_ended() -> None:
     def asked() -> int:
         with pytest.raises(CompileError, match="expected"):
             build("node.cpp", text="#include <ros/ros.h>\nint main( {")
-        return building._idle[-1].pid
+        pid: int = building.IDLE[-1].pid
+        return pid
 
     first = asked()
     assert asked() == first

@@ -23,7 +23,7 @@ from unittest.mock import MagicMock
 sys.modules.update({name: MagicMock() for name in ("js", "pyodide", "pyodide.ffi")})
 from rosspin import page
 """
-TRACE = "name, path, given = json.load(sys.stdin)\nopen(path, 'w').write(page.trace(name, given))"
+TRACE = "name, path, given = json.load(sys.stdin)\nopen(path, 'w').write(page.trace(name, given, None))"
 JUDGE = "for given in json.load(sys.stdin): print(page.judge(*given))"
 
 SOLUTIONS = {name: answer_in(CELLS[name][1]) for name in NAMES}

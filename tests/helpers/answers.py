@@ -14,6 +14,11 @@ NAMES = [exercise.name for exercise in EXERCISES if exercise.part]  # a teacher'
 
 FILES = {lesson.exercise.name: lesson for lesson in LESSONS if lesson.exercise.name in NAMES}
 
+# Those that are in C++, too, or only.
+IN_CPP = {
+    lesson.exercise.name: each for lesson in LESSONS for each in (lesson, *lesson.others) if each.language == "cpp"
+}
+
 TASKS = [lesson for lesson in LESSONS if "own" in lesson.file.parts and lesson.exercise.name not in NAMES]
 
 NOTEBOOKS = {1: ROOT / "notebooks" / "exercises.md", 2: ROOT / "notebooks" / "ros2-exercises.md"}

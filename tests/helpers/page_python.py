@@ -65,7 +65,7 @@ for job, compiled in zip(jobs, programs):
         job |= {"paths": json.dumps([*given]), "files": [blob(text.encode()) for text in given.values()]}
     if kind == "report":
         job["verdicts"] = json.dumps(job["verdicts"])
-    made = getattr(page, kind)(**job | ({"page": shown} if kind == "run" else {}))
+    made = getattr(page, kind)(**job | ({"page": shown} if kind in ("run", "trace") else {}))
     result = {"trace": made} if kind == "trace" else json.loads(made)
     said.append([{"kind": "batch", "chunks": chunks, "leftOut": 0, "ticks": ticks}, {"kind": "end", "result": result}])
 sys.__stdout__.write("\\n".join(map(json.dumps, said)))

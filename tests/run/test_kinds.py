@@ -24,12 +24,17 @@ class Beats(Language):
 
     name = "text"
     suffixes = (".beats",)
-    words = {1: Words("whether to stop", "wait")}
+    words = {1: Words("whether to stop", "wait", "spin")}
 
     def recognises(self, text: str) -> bool:
         return text.startswith("every ")
 
-    def program(self, path: str, waiting: Callable[[], object], text: str | None = None) -> _Beating:
+    def named_in(self, text: str) -> set[int]:
+        return {1}
+
+    def program(
+        self, path: str, waiting: Callable[[], object], text: str | None = None, closed: bool = False
+    ) -> _Beating:
         return _Beating(path, Path(path).read_text())
 
 
@@ -82,7 +87,7 @@ class Toy(Ros):
     raises = True
     in_terminals = True
     timers_are_threads = False
-    words = Words("toyros.ok()", "toyros.sleep(0.1)")
+    words = Words("toyros.ok()", "toyros.sleep(0.1)", "toyros.spin()")
     spins = "toyros.spin()"
 
     def home(self, package: str) -> str:

@@ -46,7 +46,9 @@ def test_a_list_has_titles_times_and_the_anchors_that_it_always_had(home: str) -
 
 
 @pytest.mark.parametrize(("home", "name"), [(home, name) for home, names in LISTS.items() for name in names])
-def test_a_page_has_one_answer_hints_and_the_solution_and_knows_its_place(home: str, name: str) -> None:
+def test_a_page_has_one_answer_for_each_language_hints_and_the_solution_and_knows_its_place(
+    home: str, name: str
+) -> None:
     page, names = _page(name), LISTS[home]
     place = names.index(name)
     assert page.select_one("h1").get_text() == f"{TITLES[name]}#"  # type: ignore[union-attr]
@@ -57,11 +59,21 @@ def test_a_page_has_one_answer_hints_and_the_solution_and_knows_its_place(home: 
     assert way.select_one("p a")["href"] == f"../{home}.html"  # type: ignore[index]
     [onward] = page.select("p.exercise-next[hidden] a")
     assert onward["href"] == (f"{names[place + 1]}.html" if place + 1 < len(names) else f"../{home}.html")
-    [answer] = [pre for pre in page.select("div.live pre") if pre.get_text().startswith("%%answer ")]
-    assert answer.get_text().startswith(f"%%answer {name}\n") and not answer.find_parent(class_="cell_output")
-    *hints, solution = [folded.select_one("summary").get_text() for folded in page.select("article details")]  # type: ignore[union-attr]
-    assert hints == [f"Hint {number}" for number in range(1, len(hints) + 1)] and len(hints) >= 2
-    assert solution == "Show the solution"
+    languages = next(each.languages for each in EXERCISES if each.name == name)
+    answers = [pre for pre in page.select("div.live pre") if pre.get_text().startswith("%%answer ")]
+    assert len(answers) == len(languages)
+    for language, answer in zip(languages, answers, strict=True):
+        assert answer.get_text().startswith(f"%%answer {name}\n") and not answer.find_parent(class_="cell_output")
+        assert bool(answer.find_parent(class_="highlight-cpp")) is (language == "cpp")
+        tab = answer.find_parent(class_="sd-tab-content")
+        assert (tab is None) is (len(languages) == 1)
+        folded = (tab or page.select_one("article")).select("details")  # type: ignore[union-attr]
+        *hints, solution = [each.select_one("summary").get_text() for each in folded]  # type: ignore[union-attr]
+        assert hints == [f"Hint {number}" for number in range(1, len(hints) + 1)] and len(hints) >= 2
+        assert solution == "Show the solution"
+    for tabs in page.select(".sd-tab-set"):  # what chooses a tab stands right before its name
+        parts = [part.name for part in tabs.find_all(recursive=False)]
+        assert parts == ["input", "label", "div"] * len(languages)
 
 
 def test_no_page_is_left_of_an_exercise_that_is_gone(site: Path) -> None:

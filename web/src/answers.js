@@ -1,6 +1,15 @@
 // The file in which a student hands in answers: JSON with a name, a date and the texts. Python reads it: see
 // rosspin/hand_ins/files.py.
 
+/** The file of an answer in C++, as the compiler has it. */
+export const ANSWER = "answer.cpp"
+
+/** What compiles C++, and how much that is. */
+export const LOADS_CLANG = "this page loads clang once: about 40 MB, which your browser keeps"
+
+/** Whether an answer is in C++, by what it includes: see rosspin/run/kinds/cpp.py. */
+export const isCpp = (/** @type {string} */ answer) => new RegExp(RULES.cpp.includes, "m").test(answer)
+
 /** What is read at most: of a file (bytes), of an answer and of a name (characters). */
 export const MOST = { file: RULES.handIns.file, answer: RULES.handIns.answer, name: RULES.handIns.name }
 

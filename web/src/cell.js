@@ -1,5 +1,6 @@
 // A listing that can be edited and run: its buttons, its status line, what its runs show.
 
+import { ANSWER, LOADS_CLANG } from "./answers.js"
 import { Console } from "./console.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { Kept } from "./kept.js"
@@ -14,7 +15,7 @@ const SECONDS = "10"
 const LONGEST = 50_000
 
 /** What a reader is told before a listing in C++ is changed. */
-const CLANG = "To run a change, this page loads clang once: about 40 MB, which your browser keeps"
+const CLANG = `To run a change, ${LOADS_CLANG}`
 
 const SEE_CONSOLE = "error: see the console"
 
@@ -110,10 +111,11 @@ export class Cell {
     this.exercise = this.#original.match(/^%%answer (\S+)/)?.[1] ?? "" // that it answers; a text is then checked rather than run
     this.#simulates = /^%%(simulate|drive) /.test(this.#original)
     // hand-in.js, which is on each page that has exercises, keeps the answers to all of them.
-    const answer = this.exercise && window.rosspinStore?.of(this.exercise)
+    const answer = this.exercise && window.rosspinStore?.of(this.exercise, this.language)
     this.#kept = answer || new Kept(`${location.pathname}:${index}`, this.#original)
     this.#kept.changed = (said) => this.#own || this.#follow(said)
     this.#name = this.exercise ? `answer ${this.exercise}` : (caption?.textContent ?? `node.${this.isCpp ? "cpp" : "py"}`).trim().replace(/.*\//, "")
+    if (this.exercise && this.isCpp) this.#name += " in C++"
     this.#output = listing.closest(".cell")?.querySelector(".cell_output")
     this.#made = made(listing)
     const button = (/** @type {string} */ text, /** @type {() => void} */ act) => {
@@ -163,7 +165,7 @@ export class Cell {
     this.pin.title = "Copy a test for pytest that expects what this run has shown"
     this.pin.hidden = true
     if (this.isCpp) this.edit.title = CLANG
-    const file = this.exercise ? "" : this.#name
+    const file = this.exercise && !this.isCpp ? "" : this.#filename
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
     this.notice = make("p", { className: "live-notice", hidden: true })
     this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
@@ -184,7 +186,7 @@ export class Cell {
     if (isNode) bar.append(this.arguments)
     bar.append(this.progress, this.status)
     const parts = [this.notice, this.copied, this.#made ?? "", this.console.element]
-    const onward = this.exercise ? document.querySelectorAll(".exercise-next") : []
+    const onward = this.exercise && !this.#pre.closest(".sd-tab-set") ? document.querySelectorAll(".exercise-next") : []
     return [bar, make("div", { className: "live-cell" }, ...parts, ...onward)]
   }
 
@@ -198,6 +200,11 @@ export class Cell {
   /** Whether it is in C++. */
   get isCpp() {
     return this.#program !== ""
+  }
+
+  /** The name of its file, as a compiler or a traceback has it. */
+  get #filename() {
+    return this.exercise && this.isCpp ? ANSWER : this.#name
   }
 
   /** @type {import("./editor.js").Language} */
@@ -438,14 +445,14 @@ export class Cell {
   }
 
   #warmUp() {
-    warmUp(this.#base, this.exercise !== "", this.#program)
+    warmUp(this.#base, this.exercise !== "", this.exercise ? "" : this.#program)
   }
 
   /** @type {import("./runs.js").Node} */
   get #node() {
     const source = this.#text
     const ros = !this.isCpp ? 0 : /\brclcpp\//.test(source) ? 2 : 1
-    return { source, filename: this.#name, args: this.args.value, program: source === this.#original ? this.#program : "", ros }
+    return { source, filename: this.#filename, args: this.args.value, program: source === this.#original ? this.#program : "", ros }
   }
 
   /** @param {Cell} [other] whose node runs with this one's */
@@ -467,7 +474,7 @@ export class Cell {
     const hear = (/** @type {import("./runs.js").Told} */ message) => this.#hear(message, job)
     this.#expect(seconds)
     this.#worker = start(this.#base, job, (message) => number === this.#runs && hear(message))
-    this.#say(this.isCpp && !other ? "starting" : "starting Python")
+    this.#say(this.isCpp && !other && !this.exercise ? "starting" : "starting Python")
   }
 
   /**
@@ -501,7 +508,7 @@ export class Cell {
       else this.progress.value = message.share
       this.#say(message.said)
     } else if (message.kind === "faults") {
-      if (message.filename === this.#name) this.#blame(message.faults)
+      if (message.filename === this.#filename) this.#blame(message.faults)
     } else if (message.kind === "batch") {
       this.console.print(message.chunks, message.leftOut)
       this.#plot?.add(message.ticks)
@@ -551,6 +558,7 @@ export class Cell {
   #progress(solved) {
     if (!solved) return ""
     const said = this.#kept.solve?.(this.#ran === this.#original ? null : this.#ran)
+    this.console.element.after(...document.querySelectorAll(".exercise-next"))
     showProgress()
     return said ?? ` You have solved ${progress()}.`
   }

@@ -36,6 +36,9 @@ function startCompiler(ros, hear) {
   return sandbox
 }
 
+/** So long (ms) a node may take to compile. */
+const TIME = 60_000
+
 /** @type {Promise<unknown>} until the compiler has done what it was asked: one thing after the other */
 let compiling = Promise.resolve()
 
@@ -46,16 +49,19 @@ let compiling = Promise.resolve()
  * @returns {Promise<import("./protocol.js").CompileResult>}
  */
 const compile = (sandbox, text, filename) =>
-  new Promise((resolve, reject) =>
+  new Promise((resolve, reject) => {
+    const fail = (/** @type {string} */ reason) => {
+      compiler = null
+      sandbox.end()
+      reject(new Fault(reason))
+    }
+    const timer = setTimeout(fail, TIME, `The compiler was ended after ${TIME / 1e3} s.`)
     sandbox.do({ kind: "compile", text, filename }, (message) => {
+      clearTimeout(timer)
       if (message.kind === "end") resolve(message.result)
-      if (message.kind === "failed") {
-        compiler = null
-        sandbox.end()
-        reject(new Fault(message.reason))
-      }
-    }),
-  )
+      if (message.kind === "failed") fail(message.reason)
+    })
+  })
 
 /**
  * The program of a node; null: it does not compile, which is then told.
@@ -84,7 +90,7 @@ async function compileFor({ source, filename, ros }, hear) {
   const before = compiling
   const result = before.then(() => {
     hear({ kind: "doing", said: "compiling", share: -1 })
-    return compile(sandbox, source, filename)
+    return compile(sandbox, source.replace(/^%%.*/, ""), filename) // the first line of an answer is none of it
   })
   compiling = result.catch(() => {})
   const { said, program } = await result

@@ -3,20 +3,6 @@
 
 /** @typedef {{line: number, column: number, text: string}} Fault in a listing, counted from 1 */
 
-/** What is said, and what it means. */
-const ADVICE = /** @type {const} */ ([
-  [/expected ';'/, "A ; is missing: at the end of this line, or of the one before it."],
-  [
-    /'this' cannot be implicitly captured/,
-    "A lambda knows the object that it is made in only if you give it that: write [this] in place of [].",
-  ],
-  [
-    /no matching (member )?function for call to '(create\w*|subscribe)'|to object of type '.*lambda|a callback of a subscription takes|'detail::Adapter<.*' is not a class/,
-    "The callback does not fit what calls it: compare its parameters. A timer of ROS 1 calls it with a const " +
-      "ros::TimerEvent&, one of ROS 2 with nothing, and a subscription with the message, as a const reference to its type.",
-  ],
-])
-
 /**
  * The errors in a node that the compiler has named.
  *
@@ -46,6 +32,6 @@ export function faults(said, filename) {
  * @param {string} said
  */
 export function advice(said) {
-  const [first = ""] = said.match(/^.*:\d+: (?:fatal )?error: .*$/m) ?? []
-  return ADVICE.find(([pattern]) => pattern.test(first))?.[1] ?? ""
+  const [, first = ""] = said.split(/^.*:\d+: (?:fatal )?error: /m) // with the notes on it
+  return RULES.cpp.advice.find(([pattern]) => new RegExp(pattern).test(first))?.[1] ?? ""
 }

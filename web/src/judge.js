@@ -1,5 +1,6 @@
 // Loaded with the teachers' page: judges the files that students hand in, and shows who solved what.
 
+import { isCpp, LOADS_CLANG } from "./answers.js"
 import { chosen, dropped } from "./dropped.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { ask, judge, rest } from "./judging.js"
@@ -38,7 +39,13 @@ const SIGNS = {
 /** @type {Answer | null} the one for which it is shown what the checker said */
 let shown = null
 
-const known = new Table((job) => ask(base, job), (...answer) => judge(base, ...answer), LANES, (answer) => {
+/** @type {(exercise: string, text: string, stopped: AbortSignal) => Promise<import("./judging.js").Judgement>} */
+function judgeOne(exercise, text, stopped) {
+  if (isCpp(text)) loads.textContent = `To judge answers in C++, ${LOADS_CLANG}.`
+  return judge(base, exercise, text, stopped)
+}
+
+const known = new Table((job) => ask(base, job), judgeOne, LANES, (answer) => {
   if (!answer) return draw()
   if (signs.has(answer)) mark(answer)
   if (shown === answer) show(answer, false)
@@ -238,6 +245,7 @@ const saveButton = button("Save as CSV", saveTable)
 bar.append(progress, stopButton, saveButton, status)
 const notes = make("ul")
 const unshown = make("p")
+const loads = make("p")
 const cut = make("p")
 const table = make("table", { className: "table" })
 const scroll = make("div", { className: "judge-scroll", role: "region", ariaLabel: "Who solved what", tabIndex: 0 }, table)
@@ -255,7 +263,7 @@ const results = make("div", { hidden: true }, bar, scroll, cut, legend, detail, 
 /** Why nothing can be judged here, in a sentence; "" if it can. */
 const missing = notHere("check answers") || (HAS_JSPI ? "" : `This browser cannot check answers: ${LACKS_JSPI}`)
 
-const alert = make("div", { role: "alert", ariaAtomic: "false" }, notes, unshown)
+const alert = make("div", { role: "alert", ariaAtomic: "false" }, notes, unshown, loads)
 find(".rosspin-judge").replaceChildren(...(missing ? [make("p", { textContent: missing })] : [drop, alert, results]))
 if (!missing) {
   for (const kind of /** @type {const} */ (["dragenter", "dragover", "dragleave", "drop"])) {

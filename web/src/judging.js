@@ -125,12 +125,22 @@ export async function judge(base, exercise, text, stopped) {
   /** @type {import("./sandboxes.js").Sandbox[]} */
   const sandboxes = []
   try {
-    const { Sandbox } = await load(base).catch(() => {
+    const { Sandbox, programsOf } = await load(base).catch(() => {
       throw new NoVerdict("Python could not be loaded. Is the site still there?")
     })
+    /** @type {string[]} */
+    const texts = []
+    const programs = await programsOf(text, (message) => {
+      if (message.kind === "batch") texts.push(...message.chunks.map(([, chunk]) => chunk))
+      else if (message.kind === "failed") throw new NoVerdict(message.reason)
+    })
+    if (!programs) return { verdict: "not yet", why: "It does not compile.", hint: texts[1] ?? "", said: texts.join("\n").slice(0, MOST_SAID) }
     const [running, judging] = [new Sandbox(), resting.pop() ?? new Sandbox()]
     sandboxes.push(running, judging)
-    const { trace } = await result(running, { kind: "trace", exercise, text }, stopped)
+    const names = programs.map(({ name }) => name)
+    await running.started
+    for (const { name, bytes } of programs) running.pass(name, bytes)
+    const { trace } = await result(running, { kind: "trace", exercise, text, programs: names }, stopped)
     running.end()
     const { verdict, console, said, why, hint, off } = await result(judging, { kind: "judge", exercise, text, trace }, stopped)
     sandboxes.pop()

@@ -5,7 +5,7 @@ import { find, make } from "./make.js"
 /** @type {Set<string>} the exercises of the page, and of the list that they are on */
 export const exercises = new Set()
 
-const isSolved = (/** @type {string} */ name) => window.rosspinStore?.of(name).wasSolved === true
+const isSolved = (/** @type {string} */ name) => window.rosspinStore?.isSolved(name) === true
 
 /** How many of them are solved. */
 export const progress = () => `${[...exercises].filter(isSolved).length} of ${exercises.size}`

@@ -12,7 +12,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{kind: "cpp", name: string, bytes: ArrayBuffer | null, ros: number, filename: string, seconds: number, args: string,
  *   speed: number}} CppJob to run a compiled node; bytes: its program, packed until it reaches its worker
  * @typedef {{kind: "compile", text: string, filename: string}} CompileJob
- * @typedef {{kind: "trace", exercise: string, text: string}} TraceJob
+ * @typedef {{kind: "trace", exercise: string, text: string, programs: string[]}} TraceJob programs: as above, of an answer in C++
  * @typedef {{kind: "judge", exercise: string, text: string, trace: string}} JudgeJob
  * @typedef {{kind: "look", log: ArrayBuffer, name: string}} LookJob
  * @typedef {{kind: "pin", source: string, filename: string, seconds: number, args: string, console: string,
@@ -89,7 +89,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{
  *   run: Python<[source: string, filename: string, seconds: number, args: string, speed: number, beside: string, files: string,
  *     page: Shown]>,
- *   trace: Python<[exercise: string, text: string]>,
+ *   trace: Python<[exercise: string, text: string, page: Shown]>,
  *   judge: Python<[exercise: string, text: string, trace: string]>,
  *   look: Python<[log: ArrayBuffer, name: string]>,
  *   pin: Python<[source: string, filename: string, seconds: number, args: string, console: string, ticks: string]>,

@@ -1,6 +1,7 @@
 // Runs of code, each in a sandbox of its own, which finds nothing of earlier ones there and ends with it. The next one is
 // started meanwhile.
 
+import { ANSWER, isCpp } from "./answers.js"
 import { Fault, load } from "./files.js"
 import { CPP, PYTHON, Sandbox } from "./sandboxes.js"
 
@@ -137,7 +138,7 @@ export function warmUp(answers, program) {
  */
 export function start(job, hear) {
   const { source, filename, seconds, args, speed, beside, exercise, ros, launch } = job
-  if (exercise) return answer(exercise, source, hear)
+  if (exercise) return answer(job, hear)
   const isAlone = ros > 0 && !beside.length // then it needs no Python
   const runner = (isAlone ? programs : runs).take()
   let ended = false
@@ -157,11 +158,15 @@ export function start(job, hear) {
     const programs = made.map(({ name }) => name)
     runner.do({ kind: "run", source, filename: path, seconds, args, speed, beside: others, programs, files }, hear, made)
   }
-  begin().catch(
-    (error) => ended || hear({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED }),
-  )
+  begin().catch((error) => ended || hear(failed(error)))
   return run
 }
+
+/**
+ * @param {unknown} error
+ * @returns {Failed}
+ */
+const failed = (error) => ({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED })
 
 /**
  * The path of a launch file, the texts of what it starts, as they stand in the page's listings, by their paths, and those
@@ -185,6 +190,17 @@ async function launched({ launch, listings }) {
 }
 
 /** @typedef {{name: string, bytes: ArrayBuffer}} Program by the name of its file, which ends in .gz if it is packed */
+
+/**
+ * The programs of an answer to an exercise, none if it is in Python; null: it does not compile, which is then told.
+ *
+ * @param {string} source
+ * @param {(message: Told) => void} hear
+ */
+export async function programsOf(source, hear) {
+  const ros = /\brclcpp\//.test(source) ? 2 : 1
+  return isCpp(source) ? compiledOf([{ source, filename: ANSWER, args: "", program: "", ros }], hear) : []
+}
 
 /**
  * The programs of those nodes that are in C++; null: one does not compile, which is then told.
@@ -239,25 +255,33 @@ export function pin(shown) {
 /**
  * Run an answer in one sandbox, and have what came of that judged in another.
  *
- * @param {string} exercise
- * @param {string} text
+ * @param {Text} job
  * @param {(message: Told) => void} hear
  */
-function answer(exercise, text, hear) {
+function answer(job, hear) {
+  const { exercise, source: text } = job
   const [running, judging] = [runs.take(), judges.take()]
-  running.do({ kind: "trace", exercise, text }, (message) => {
-    if (message.kind !== "end") return hear(message)
-    judging.do({ kind: "judge", exercise, text, trace: message.result.trace }, (message) => {
-      if (message.kind === "begun") return
-      hear(message.kind === "end" ? { kind: "end", result: told(message.result, hear) } : message)
-    })
-  })
-  return {
+  let ended = false
+  const run = {
     end() {
+      ended = true
       running.end()
       judging.end()
     },
   }
+  const begin = async () => {
+    const files = await compiledOf([job], (message) => ended || hear(message))
+    if (!files) return run.end()
+    running.do({ kind: "trace", exercise, text, programs: files.map(({ name }) => name) }, (message) => {
+      if (message.kind !== "end") return hear(message)
+      judging.do({ kind: "judge", exercise, text, trace: message.result.trace }, (message) => {
+        if (message.kind === "begun") return
+        hear(message.kind === "end" ? { kind: "end", result: told(message.result, hear) } : message)
+      })
+    }, files)
+  }
+  begin().catch((error) => ended || hear(failed(error)))
+  return run
 }
 
 /**

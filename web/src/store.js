@@ -29,6 +29,9 @@ const READ = { record: 3 * MOST * LONGEST, values: 1000, name: 100, records: 100
  * @typedef {Browser & {begun: number}} Browsing
  */
 
+/** How the key of an answer in C++ ends. */
+const CPP = ".cpp"
+
 /** @type {Known} */
 const NONE = { solved: false, versions: [] }
 
@@ -103,6 +106,11 @@ export class Answer {
   /** What the student wrote; null if the cell is as it comes with its page. */
   get text() {
     return this.#known.versions[0]?.text ?? null
+  }
+
+  /** When (ms) that was begun. */
+  get time() {
+    return this.#known.versions[0]?.time ?? 0
   }
 
   /** Whether this very text has solved the exercise. */
@@ -278,18 +286,37 @@ export class Store {
   }
 
   /**
-   * The answer to an exercise.
+   * The answer to an exercise. One in C++ is kept besides that in Python.
    *
-   * @param {string} id
+   * @param {string} exercise
    */
-  of(id) {
+  of(exercise, language = "python") {
+    const id = language === "cpp" ? exercise + CPP : exercise
     const answer = this.#answers.get(id) ?? new Answer(this.#before + id, this.#browser)
     this.#answers.set(id, answer)
     return answer
   }
 
+  /** Whether some text has solved an exercise, in whichever language. */
+  isSolved(/** @type {string} */ exercise) {
+    return ["python", "cpp"].some((language) => this.of(exercise, language).wasSolved)
+  }
+
   /**
-   * All answers, as pairs of an exercise and what was written.
+   * The answers to each exercise that was answered, the one that counts first: one that has solved it, or the newest.
+   *
+   * @returns {[exercise: string, Answer[]][]}
+   */
+  #answered() {
+    const exercises = new Set([...this.#answers.keys()].map((id) => id.replace(CPP, "")))
+    return [...exercises].map((exercise) => {
+      const both = [exercise, exercise + CPP].flatMap((id) => this.#answers.get(id) ?? []).filter(({ text }) => text !== null)
+      return [exercise, both.sort((one, other) => Number(other.solved) - Number(one.solved) || other.time - one.time)]
+    })
+  }
+
+  /**
+   * All answers, as pairs of an exercise and what was written: of two languages what counts.
    *
    * @returns {[id: string, text: string][]}
    */
@@ -301,14 +328,16 @@ export class Store {
     ids.forEach((id) => this.of(id))
     this.refresh()
     /** @type {[string, string | null][]} */
-    const mine = [...this.#answers].map(([id, answer]) => [id, answer.text])
+    const mine = this.#answered().map(([exercise, [answer]]) => [exercise, answer?.text ?? null])
     const has = new Set(mine.map(([id]) => id))
     return [...old.filter(([id]) => !has.has(id)), ...mine].flatMap(([id, text]) => (text === null ? [] : [[id, text]]))
   }
 
   /** The exercises that were solved with a text that is kept, but is not the newest one. */
   solvedBefore() {
-    return [...this.#answers].filter(([, answer]) => answer.wasBetter).map(([id]) => id)
+    const better = [...this.#answers].filter(([, answer]) => answer.wasBetter).map(([id]) => id.replace(CPP, ""))
+    const solved = new Set(this.#answered().flatMap(([exercise, [answer]]) => (answer?.solved ? [exercise] : [])))
+    return [...new Set(better)].filter((exercise) => !solved.has(exercise))
   }
 
   /** See what other tabs have made of all answers. */

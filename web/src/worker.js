@@ -190,6 +190,15 @@ class PageOfPython extends Page {
   /** @type {Map<string, WebAssembly.Module>} by the names of their files */
   programs = new Map()
 
+  /** Have these ready, which have been sent. */
+  async take(/** @type {string[]} */ names) {
+    for (const name of names) {
+      const { promise } = file(name)
+      this.programs.set(name.replace(/\.gz$/, ""), new WebAssembly.Module(/** @type {ArrayBuffer} */ (await promise)))
+      files.delete(name)
+    }
+  }
+
   program(/** @type {string} */ name) {
     return new Beside(/** @type {WebAssembly.Module} */ (this.programs.get(name)))
   }
@@ -220,11 +229,7 @@ function readable(file) {
 async function act({ run, trace, judge, look, pin, read, answer, report }, job, page) {
   if (job.kind === "run") {
     const { source, filename, seconds, args, speed, beside, programs, files: texts } = job
-    for (const name of programs) {
-      const { promise } = file(name)
-      page.programs.set(name.replace(/\.gz$/, ""), new WebAssembly.Module(/** @type {ArrayBuffer} */ (await promise)))
-      files.delete(name)
-    }
+    await page.take(programs)
     const more = [beside, texts].map((each) => JSON.stringify(each))
     return JSON.parse(await run.callPromising(source, filename, seconds, args, speed, more[0], more[1], page))
   }
@@ -239,7 +244,10 @@ async function act({ run, trace, judge, look, pin, read, answer, report }, job, 
   }
   if (job.kind === "answer") return JSON.parse(await answer.callPromising(job.number, job.exercise))
   if (job.kind === "report") return JSON.parse(await report.callPromising(JSON.stringify(job.verdicts)))
-  if (job.kind === "trace") return { trace: await trace.callPromising(job.exercise, job.text) }
+  if (job.kind === "trace") {
+    await page.take(job.programs)
+    return { trace: await trace.callPromising(job.exercise, job.text, page) }
+  }
   return JSON.parse(await judge.callPromising(job.exercise, job.text, job.trace))
 }
 

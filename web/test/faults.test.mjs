@@ -3,6 +3,8 @@
 import assert from "node:assert/strict"
 import { test } from "node:test"
 
+import "./rules.mjs"
+
 import { advice, faults } from "../src/faults.js"
 
 const SAID = `a.cpp:38:8: error: no member named 'spinn' in namespace 'ros'; did you mean 'spin'?

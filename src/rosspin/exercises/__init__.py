@@ -55,7 +55,7 @@ def trace(which: int | str, answer: Any) -> str:
         outcomes.append(run(request))
         return outcomes[-1]
 
-    _find(exercise, Answer(answer, exercise.ros, ask))  # to hear what it asks for
+    _find(exercise, Answer(answer, exercise.ros, exercise.languages, ask))  # to hear what it asks for
     return write(Trace(exercise.name, run.console, run.cut, tuple(outcomes)))
 
 
@@ -74,7 +74,7 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
             raise Misfit("its runs are not those that this exercise asks for")
         return left.pop()
 
-    given = Answer(answer, exercise.ros, ask)
+    given = Answer(answer, exercise.ros, exercise.languages, ask)
     findings = _find(exercise, given)
     early = given.hint_for_early_end()
     if early and all(finding.right for finding in findings):
@@ -88,7 +88,7 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
     if early:
         # It comes first if the node printed nothing, else last.
         hints.insert(len(hints) if console else 0, early)
-    hint = [*hints, exercise.hint][0]
+    hint = [*hints, exercise.hint(answer)][0]
     return Feedback(exercise.number, tuple(findings), hint, console, whole=whole, drive=_seen_first(outcomes).drive)
 
 

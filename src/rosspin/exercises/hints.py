@@ -65,7 +65,7 @@ def for_times(found: Sequence[Printed], wanted: Sequence[float], hint: str = "")
 def for_none(seen: Seen, tag: str, hint: str = "") -> str:
     """Return a hint on counters of a ``tag`` of which none came; ``hint`` if the run does not show why."""
     sign = re.compile(rf"\[\s*{tag}\s*\]|\b{tag}\b|counter", re.IGNORECASE)
-    others = {"FAST", "SLOW", "HEARTBEAT", "MOTOR", "CAMERA", "ROBOT", "LISTENER", "SPINNER PY NODE"} - {tag}
+    others = {"FAST", "SLOW", "HEARTBEAT", "MOTOR", "CAMERA", "ROBOT", "LISTENER", seen.tag} - {tag}
     for line in seen.printed:
         text = line.text.strip().rpartition("]: ")[2]
         if line.time <= seen.seconds and sign.search(text) and not any(f"[{other}]" in text for other in others):

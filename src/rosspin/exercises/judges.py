@@ -20,8 +20,9 @@ Check = Callable[[Seen, str], Finding | None]
 
 P = ParamSpec("P")
 
-# Times that differ by less than this (s) are meant to be the same.
-CLOSE = 1e-3
+# Times that differ by less than this (s) are meant to be the same. For a program in C++ that waits by looking at the
+# time, that goes on in steps of 1 ms.
+CLOSE = 1.5e-3
 
 _TURNS = "when the threads take turns at every line"
 
@@ -172,7 +173,7 @@ def ticks(
     when: str,
     period: float = 0.0,
     name: str = "",
-    tag: str = "SPINNER PY NODE",
+    tag: str = "",
     hint: str | Hint = "",
     *,
     start: float | None = None,
@@ -182,13 +183,13 @@ def ticks(
     """Whether counters came at their times (s): first those ``at`` given times, then one each period.
 
     The periods go from ``start`` (default: after one period) ``until`` a time (default: the end of the run). ``tag`` is
-    what is printed before a counter, ``name`` says whose the counters are.
+    what is printed before a counter, if not the tag of the spinner nodes; ``name`` says whose the counters are.
     """
     found, wanted = seen.counters(tag), [*at, *(grid(period, until or seen.seconds, start) if period else ())]
     what = ", ".join(filter(None, (when, name)))
     said = hint if isinstance(hint, str) else hint(found)
     if not found:
-        said = for_none(seen, tag, said)
+        said = for_none(seen, tag or seen.tag, said)
     elif seen.interrupted:
         said = for_times(found, wanted, said)
     return on_time(found, wanted, what, said)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import zip_longest
 from typing import Any
 
-from ..run.kinds import ROS
+from ..run.kinds import LANGUAGES, ROS, Language, words_of, written_in
 from ..run.source import refuse_null_bytes
 from .feedback import Finding
 from .seen import Error, Seen, Value
@@ -20,6 +20,7 @@ __all__ = [
     "a_value",
     "above",
     "hint_for_kept",
+    "language_of",
     "not_python",
     "plain",
     "say",
@@ -33,6 +34,8 @@ _DAEMON = (
     "daemon thread: `Thread(target=..., daemon=True)`."
 )
 _ZERO = "In Python `1 // 10` is 0, and `1 / 10` is 0.1. A decimal number has a point: `0,1` is two numbers, 0 and 1."
+_ZERO_IN_CPP = "In C++, `1 / 10` is 0, as both are whole numbers, and `1 / 10.0` is 0.1."
+_NAMES = {"python": "Python", "cpp": "C++"}
 _NO_ANSWER = "No answer yet."
 _ENDS_EARLY = "The node ended by itself, before its time was over. Does its main part come to `{}`?"
 
@@ -48,14 +51,16 @@ class Fails(Exception):
 
 
 class Answer:
-    """The answer to one exercise, which is on ROS 1 or 2.
+    """The answer to one exercise, which is on ROS 1 or 2 and takes answers in these ``languages``.
 
     ``ask`` returns the outcome of a run: it runs the answer, or looks the outcome up in a trace. Nothing is run here.
     """
 
-    def __init__(self, text: Any, ros: int, ask: Callable[[Request], Outcome]) -> None:
+    def __init__(self, text: Any, ros: int, languages: Collection[str], ask: Callable[[Request], Outcome]) -> None:
         self._text = text
         self._ros = ros
+        self._languages = languages
+        self._language = language_of(text)
         self._ask = ask
         self._tree: ast.Module | None = None
         self._ended_early = False
@@ -88,7 +93,8 @@ class Answer:
         if has_to_end or not seen.killed:
             self._refuse(seen, args, allowed)
         if any(timer.is_endless for timer in seen.timers):
-            raise Fails(f"{started(args)} node has a timer whose period is 0 s: it is called without a pause.", _ZERO)
+            zero = _ZERO_IN_CPP if self._language else _ZERO
+            raise Fails(f"{started(args)} node has a timer whose period is 0 s: it is called without a pause.", zero)
         self._ended_early |= not seen.interrupted and not allowed and seed is None
         return seen
 
@@ -105,7 +111,7 @@ class Answer:
 
     def hint_for_early_end(self) -> str:
         """Return a hint for a node that ended before its time; empty for any other."""
-        return _ENDS_EARLY.format(ROS[self._ros].spins) if self._ended_early else ""
+        return _ENDS_EARLY.format(words_of(self._language, self._ros).spins) if self._ended_early else ""
 
     def _args(self, given: str) -> tuple[str, ...]:
         """Return the command line that gives a node of this ROS a parameter."""
@@ -113,6 +119,8 @@ class Answer:
 
     def _node(self, request: Request) -> Seen:
         tree = self._parse()
+        if tree is None:
+            return self._look(request)
         if gaps := _gaps(tree):
             lines = f"line {gaps[0]}" if len(gaps) == 1 else f"lines {', '.join(map(str, gaps))}"
             raise Fails(f"There is still a gap, `...`, in {lines}.", right=None)
@@ -127,11 +135,17 @@ class Answer:
             raise Fails(*failure)
         return seen
 
-    def _parse(self) -> ast.Module:
-        """Parse the answer. If it is not Python, the check ends."""
+    def _parse(self) -> ast.Module | None:
+        """Parse the answer; None if it is in another language. If it is in none that it can be in, the check ends."""
         if self._tree:
             return self._tree
         source = self._text
+        name = self._language.name if self._language else "python"
+        if name not in self._languages and isinstance(source, str):
+            raise Fails(f"This exercise takes an answer in {' or '.join(_NAMES[each] for each in self._languages)}.")
+        if self._language:
+            self._refuse_another_ros(self._language, source)
+            return None
         if source is ... or source is None:
             raise Fails(_NO_ANSWER, "Write it in a cell that begins with `%%answer`.", right=None)
         if not isinstance(source, str):
@@ -143,6 +157,11 @@ class Answer:
             raise Fails(*not_python(error)) from None
         self._refuse_the_other_ros(_imported(self._tree))
         return self._tree
+
+    def _refuse_another_ros(self, language: Language, source: str) -> None:
+        if other := language.named_in(source) - {self._ros}:
+            text = f"This node is for ROS {other.pop()}, by what it includes."
+            raise Fails(text, f"This exercise is on ROS {self._ros}: include what its node includes.")
 
     def _refuse_the_other_ros(self, imported: Collection[str]) -> None:
         own = ROS[self._ros].roots[0]
@@ -156,7 +175,7 @@ class Answer:
 
     def _refuse(self, seen: Seen, args: Sequence[str], allowed: str) -> None:
         """End the check if something went wrong in a run."""
-        may_end = ROS[self._ros].raises and seen.interrupted
+        may_end = ROS[self._ros].raises and seen.interrupted and not self._language
 
         def is_well(error: Error) -> bool:
             return bool(allowed and allowed in error.said) or (may_end and error.ending)
@@ -239,11 +258,17 @@ def say_error(error: Error) -> str:
     return f"{error.whose} stopped {where} `{said}`{'' if said.endswith('?') else '.'}"
 
 
+def language_of(answer: Any) -> Language | None:
+    """Return the language of an answer, a text; None for Python, and for anything else."""
+    return written_in(answer) if isinstance(answer, str) else None
+
+
 def say_kept(seen: Seen, ros: int) -> str:
     """Say what kept a node from ending before it was killed, as the rest of a sentence."""
     if seen.kept_by_rate:
         return "one of its threads was still asleep in a Rate's `sleep()`."
-    asks = f"Does its loop ask `{ROS[ros].words.asks}`?"
+    language = next((each for each in LANGUAGES if each.name == seen.language), None)
+    asks = f"Does its loop ask `{words_of(language, ros).asks}`?"
     return f"it was still in line {seen.kept_at.line}, `{plain(seen.kept_at.call)}`. {asks}" if seen.kept_at else asks
 
 

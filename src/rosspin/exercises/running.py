@@ -6,6 +6,7 @@ import io
 import math
 import os
 import random
+import re
 import signal
 import sys
 import threading
@@ -29,7 +30,7 @@ from ..run.explain import TimeStandsStill, waits_for_a_rate, where_it_was_kept
 from ..run.host import Result
 from ..run.shaking import shaken
 from ..run.simulate import run_node
-from ..run.source import Code, NodeLike, load_source
+from ..run.source import Code, NodeLike, code_of_program, load_source
 from ..run.streams import capture
 from ..vehicle import ros1, ros2
 from ..vehicle.drives import NODE, Drive
@@ -37,7 +38,7 @@ from ..world.graph import EndMade, TickLog
 from ..world.world import NotSimulated, World, current_world
 from . import in_rospy
 from .advice import not_called, not_found
-from .judging import not_python, plain, started
+from .judging import language_of, not_python, plain, started
 from .seen import Called, Error, Kept, Printed, Seen, SeenEnd, SeenTimer, Sent, Value
 from .traces import LONGEST, Failure, Outcome, Request
 from .watched import Watched
@@ -46,6 +47,7 @@ __all__ = ["Runner"]
 
 # The name of the node file as the reader sees it: in tracebacks, and in the error of a node that never sleeps.
 _FILENAME = "<answer>"
+_FILE_OF_PROGRAM = "answer.cpp"
 
 # A thread that has slept so often in one line of the answer runs a loop there.
 _LOOPS = 3
@@ -70,6 +72,8 @@ _BESIDE: dict[tuple[int, str], NodeLike] = {
     (1, "vehicle"): ros1.vehicle,
 }
 _OTHERS = (NODE, "/joystick")  # what they are called
+
+_FIRST = "Nothing ran. Begin with the compiler's first error: others may follow from it. It may be in the line before."
 
 # How long (s) a node stalls.
 _STALL = 0.93
@@ -155,6 +159,10 @@ class _Watched(ExploredSimulation):
         """Let time pass at a time (s) while nothing runs, as on a machine that is busy with something else."""
         self.at(nanoseconds(at), lambda: self._move(self.now() + nanoseconds(_STALL)))
 
+    def horizon(self) -> int:
+        """A node in C++ never runs on its own: what it prints is noted when it prints it."""
+        return self.now()
+
     def sleeps(self, of_timers: bool) -> list[int]:
         """Return the lines of the answer in which timers' callbacks, or else all others, slept again and again."""
         return sorted({line for (_, line, of), count in self._sleeps.items() if count >= _LOOPS and of is of_timers})
@@ -166,6 +174,10 @@ class _Watched(ExploredSimulation):
     def wait(self, ns: int | None = None) -> bool:
         self._note_sleep(sys._getframe())
         return super().wait(ns)
+
+    def numbers(self) -> dict[Any, int]:
+        """Return the numbers of the timers met so far, by what stands for them."""
+        return {timer: number for number, timer in self._timers.values()}
 
     def note_print(self, text: str) -> None:
         for piece in text.splitlines(keepends=True):
@@ -234,6 +246,10 @@ class _Watched(ExploredSimulation):
         return "gone" if has_ended else "running"
 
 
+# What sets colours on a terminal, as roscpp prints it.
+_COLOURS = re.compile("\x1b\\[[\\d;]*m")
+
+
 class _Listener(io.TextIOBase):
     """A stream that tells a clock what is printed."""
 
@@ -241,7 +257,7 @@ class _Listener(io.TextIOBase):
         self._clock = clock
 
     def write(self, text: str) -> int:
-        self._clock.note_print(text)
+        self._clock.note_print(_COLOURS.sub("", text))
         return len(text)
 
 
@@ -255,17 +271,23 @@ class Runner:
         self.console = ""
         self.cut = False
         self._text = text
+        self._language = language_of(text)
         self._ros_number = ros
         self._room = _ROOM
         self._ran = False
 
     @cached_property
     def _ros(self) -> Ros:
-        if self._ros_number == 1:
-            return in_rospy
-        from . import in_rclpy
+        ros: Ros = in_rospy
+        if self._ros_number == 2:
+            from . import in_rclpy
 
-        return in_rclpy
+            ros = in_rclpy
+        if self._language:
+            from .in_cpp import InCpp
+
+            ros = InCpp(ros)
+        return ros
 
     def __call__(self, request: Request) -> Outcome:
         """Run the answer as requested, and return the outcome."""
@@ -290,7 +312,7 @@ class Runner:
 
         def main() -> None:
             clock.world = current_world()
-            node.main()
+            node.main()  # a program in C++ ends here
             found = vars(sys.modules["__main__"])
             variables.extend((name, _value(found[name])) for name in request.variables if name in found)
 
@@ -319,7 +341,12 @@ class Runner:
         world = result.world
         kept_at = where_it_was_kept(node, world.waited)
         self.cut |= clock.cut
-        errors, timers = self._fitting(map(self._error, world.errors)), self._fitting(clock.timers)
+        timers, errors = self._fitting(clock.timers), self._fitting(map(self._error, world.errors))
+        if self._language:
+            from . import in_cpp
+
+            timers = in_cpp.that_stopped(timers, clock.numbers(), clock.printed, world)
+            errors = in_cpp.errors(world, clock.printed, node.filename)
         ends = self._fitting(map(self._end, world.recording.ends))
         messages = result.messages()
         own = [message for message in messages if not request.beside or message.node not in _OTHERS]
@@ -343,6 +370,7 @@ class Runner:
             waits_for_a_rate(node, world.ros, world.waited),
             tuple(variables),
             Drive(self._fitting(spots), self._fitting(commands)),
+            self._language.name if self._language else "python",
         )
 
     def _end(self, end: EndMade) -> SeenEnd:
@@ -364,6 +392,14 @@ class Runner:
 
     @cached_property
     def _node(self) -> Code:
+        if self._language:
+            try:
+                return code_of_program(self._language.program(_FILE_OF_PROGRAM, lambda: None, self._text, closed=True))
+            except NotSimulated as error:
+                raise _Failed(f"This is not simulated: `{plain(str(error))}`.", _hint_for(error)) from None
+            except ValueError as error:
+                self.console, self._ran = _shown(str(error)), True
+                raise _Failed(*_not_compiled(str(error))) from None
         try:
             return load_source(self._text, _FILENAME)._replace(hint=self._ros_number)
         except SyntaxError as error:
@@ -391,6 +427,15 @@ class _Failed(Exception):
 
     def __init__(self, text: str, hint: str) -> None:
         self.failure = Failure(text, hint)
+
+
+def _not_compiled(said: str) -> tuple[str, str]:
+    """Return what to say about a text that the compiler cannot read, and how to continue."""
+    from ..cpp import faults  # a page has a compiler of its own
+
+    line, column, what = faults.first(said, _FILE_OF_PROGRAM)
+    where = f"Line {line}, column {column}, does not compile" if line else "It does not compile"
+    return f"{where}: `{plain(what)}`.", faults.advice(said) or _FIRST
 
 
 # A reader may have set these, which change the console or the namespace of every node.
@@ -427,7 +472,7 @@ def _hint_for(error: Exception) -> str:
 
 def _shown(console: str) -> str:
     """Cut a console to what is worth showing: enough to see an error, not all that an endless node prints."""
-    lines = console.splitlines(keepends=True)
+    lines = _COLOURS.sub("", console).splitlines(keepends=True)
     more = f"... and {len(lines) - _MOST_LINES} more lines\n" if len(lines) > _MOST_LINES else ""
     text = "".join(lines[:_MOST_LINES])
     return (text if len(text) <= _LONGEST_CONSOLE else f"{text[:_LONGEST_CONSOLE]} ...\n") + more

@@ -122,7 +122,7 @@ class Seen(NamedTuple):
     status, ``errors`` are the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until
     Ctrl-C. If it had to be killed, ``kept_at`` is where it was, and ``kept_by_rate`` says that it waited for a Rate of
     ROS 2 and nothing else. ``variables`` are the names and values of those requested variables that it has. If a
-    vehicle ran with it, ``drive`` is what that did.
+    vehicle ran with it, ``drive`` is what that did. ``language`` is the answer's, as Pygments has it.
     """
 
     seconds: float
@@ -141,6 +141,7 @@ class Seen(NamedTuple):
     kept_by_rate: bool
     variables: tuple[tuple[str, Value], ...]
     drive: Drive = Drive((), ())
+    language: str = "python"
 
     @property
     def killed(self) -> bool:
@@ -153,9 +154,14 @@ class Seen(NamedTuple):
         found = [(line, sign.search(line.text)) for line in self.printed]
         return [line._replace(text=match[1].strip()) for line, match in found if match]
 
-    def counters(self, tag: str = "SPINNER PY NODE") -> list[Printed]:
-        """Return the lines ``[tag] counter = 1`` and so on, up to Ctrl-C."""
-        return [line for line in self.values(tag, "counter") if line.time <= self.seconds]
+    @property
+    def tag(self) -> str:
+        """What the spinner nodes print before their counter."""
+        return "SPINNER CPP NODE" if self.language == "cpp" else "SPINNER PY NODE"
+
+    def counters(self, tag: str = "") -> list[Printed]:
+        """Return the lines ``[tag] counter = 1`` and so on, up to Ctrl-C. The tag is that of the spinner nodes."""
+        return [line for line in self.values(tag or self.tag, "counter") if line.time <= self.seconds]
 
     def ends_of(self, topic: str, publishes: bool) -> list[SeenEnd]:
         """Return its publishers, or its subscriptions, of a topic."""

@@ -18,9 +18,11 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from typing import NamedTuple
 
-from ..exercises import Verdict
+from ..cpp import building
+from ..exercises import Verdict, code
 from ..exercises.traces import LONGEST
 from ..hand_ins import MOST_SAID, TIME, too_long
+from ..run.kinds import written_in
 from .sealed import CannotSeal, Process
 from .worker import AS_BEFORE, OPEN, SEALED
 
@@ -32,6 +34,14 @@ LOOK = 0.2
 _NOT_SEALED = "It could not be sealed as it has to be, so nothing of it has run."
 _BROKE_DOWN = "Its Python broke down before it had noted what the answer did."
 _JUDGE_BROKE_DOWN = "The process that judged it broke down."
+
+
+# So many times as long as others an answer in C++ may take: it is compiled first.
+_LONGER = 3
+
+
+def _is_cpp(text: str) -> bool:
+    return written_in(code(text)) is not None
 
 
 class Task(NamedTuple):
@@ -54,6 +64,7 @@ class _Lane:
         self.number = 0
         self.task = Task("", "")
         self.traced = False
+        self.time = TIME
         self.deadline = 0.0
         self._job = b""
         self._sent = bytearray()
@@ -67,12 +78,14 @@ class _Lane:
         self._give(task._asdict() if trace is None else {**task._asdict(), "trace": trace})
 
     def _give(self, job: dict[str, str]) -> None:
+        is_cpp = bool(job) and "trace" not in job and _is_cpp(job["text"])
         self._job = json.dumps(job).encode()
         self._sent.clear()
         self._status = b""
-        self.deadline = time.monotonic() + TIME
+        self.time = TIME * _LONGER if is_cpp else TIME
+        self.deadline = time.monotonic() + self.time
         with suppress(BrokenPipeError):  # which is seen when its status is read
-            self.process.control.write(b"%d\n" % len(self._job))
+            self.process.control.write(b"%d %d\n" % (len(self._job), is_cpp))
 
     def work(self) -> bool:
         """Write and read what can be; whether the child has ended, or has to be."""
@@ -194,6 +207,12 @@ class Lanes:
         if why := too_long(task.text):
             done(number, not_judged(task, why))
             return
+        if trace is None and _is_cpp(task.text):
+            try:
+                building.prepare()
+            except ValueError as error:
+                done(number, not_judged(task, f"{error}."))
+                return
         try:
             lane = self._idle.pop() if self._idle else _Lane(not self.why)
         except (CannotSeal, OSError) as error:
@@ -214,7 +233,7 @@ class Lanes:
             elif lane.deadline < time.monotonic():
                 self._at_work.remove(lane)
                 lane.process.end()
-                said = f"It was ended after {TIME} s."
+                said = f"It was ended after {lane.time} s."
                 done(lane.number, not_judged(lane.task, said)._replace(verdict="did not end"))
 
     def _go_on(self, lane: _Lane, waiting: deque[_Job], done: Callable[[int, Verdict], None]) -> None:

@@ -20,6 +20,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import IO, Any
 
+from ..cpp import building
 from ..exercises.own import FOLDER
 from ..results.folders import TemporaryFolder
 from .filtered import is_known
@@ -73,7 +74,7 @@ class Process:
         """Start it; an answer has so many seconds. Raises :class:`CannotSeal`, or OSError if it is not to be sealed."""
         self._temporary = None if seal else TemporaryFolder()
         self._init: int | None = None  # of the first process of its namespace
-        given: dict[str, Any] = {"sealed": seal, "time": seconds}
+        given: dict[str, Any] = {"sealed": seal, "time": seconds, "node": building.node_command()[0]}
         if self._temporary:
             folder = self._temporary.path / "answer"
             folder.mkdir(0o700)
@@ -197,6 +198,7 @@ def _sealed(given: Mapping[str, Any], about: int) -> list[str]:
     homes = {os.path.dirname(installed[name]) for name in ("stdlib", "platstdlib")}
     binds = {path: path for path in (*_LIBRARIES, *sorted(homes), python) if os.path.exists(path)}
     binds |= {str(path): f"{_IN}/{name}" for name, path in _packages()}
+    binds |= building.needed(Path(_IN))
     lessons = f"{_IN}/lessons" if FOLDER else ""
     if FOLDER:
         binds[str(FOLDER.absolute())] = lessons

@@ -22,14 +22,16 @@ import stat
 import struct
 import sys
 import threading
-from collections.abc import Collection, Mapping
-from contextlib import suppress
+from collections.abc import Collection, Mapping, Sequence
+from contextlib import nullcontext, suppress
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NoReturn
 
-from .. import exercises, rclpy, rospy
+from .. import exercises, programs, rclpy, rospy
 from ..run.alone import refuse_processes
 from .filtered import close_kernel, is_known
+from .programs import Programs
 
 __all__ = ["AS_BEFORE", "OPEN", "READY", "SEALED", "work"]
 
@@ -62,11 +64,12 @@ _CONTROL, _STATUS, _ERRORS = range(3)
 def work(given: Mapping[str, Any], own_path: list[str]) -> NoReturn:
     """Be a lane. ``own_path`` is where Python has its own modules.
 
-    Each line on standard input says how many bytes the next job has; there is an answer to each on standard output.
+    Each line on standard input says how many bytes the next job has, and with a 1 that it is an answer in C++ to run;
+    there is an answer to each on standard output.
     """
     for name in ("yaml", "xmlrpc.client"):  # which are else loaded when a node needs them
         importlib.import_module(name)
-    for package in (rospy, rclpy, exercises):
+    for package in (rospy, rclpy, exercises, programs):
         for module in pkgutil.iter_modules(package.__path__, f"{package.__name__}."):
             with suppress(ModuleNotFoundError):  # what needs numpy is not there for answers
                 importlib.import_module(module.name)
@@ -86,14 +89,20 @@ def work(given: Mapping[str, Any], own_path: list[str]) -> NoReturn:
     os.dup2(os.open(os.devnull, os.O_RDWR), _ERRORS)
     gc.collect()
     gc.freeze()
-    while size := os.read(_CONTROL, 20):
+    cpp = Programs(given["node"])
+    while asked := os.read(_CONTROL, 20):
+        size, is_cpp = map(int, asked.split())
+        if is_cpp:
+            cpp.start()
         child = os.fork()
         if not child:
-            _do(given, int(size))
+            _do(given, size, cpp if is_cpp else None)
         if given["sealed"]:
             _guard(child, folder)
         _, status = os.waitpid(child, 0)
         as_before = "as before" if _state(given["results"]) == before else "changed"
+        if status:
+            cpp.end()
         os.write(_STATUS, f"{os.waitstatus_to_exitcode(status)} {as_before}\n".encode())
     os._exit(0)
 
@@ -123,16 +132,17 @@ def _state(results: int) -> object:
 # --- in a child -------------------------------------------------------------------------------------------------------
 
 
-def _do(given: Mapping[str, Any], size: int) -> NoReturn:
+def _do(given: Mapping[str, Any], size: int, cpp: Programs | None) -> NoReturn:
     try:
         job = _read(given["jobs"], size)
         try:
-            confine(given)
+            confine(given, cpp.files if cpp else ())
         except OSError as error:
             _send(f"{error}\n".encode())
             raise
         _send(SEALED if given["sealed"] else OPEN)
-        _send(_done(json.loads(job)))
+        with cpp.used() if cpp else nullcontext():
+            _send(_done(json.loads(job)))
     except BaseException:
         os._exit(1)
     os._exit(0)
@@ -167,15 +177,16 @@ def _done(job: Mapping[str, str]) -> bytes:
         return b""  # there is no such exercise, which its judge says
 
 
-def confine(given: Mapping[str, Any]) -> None:
-    """Give up all that an answer does not need. Raises OSError where a seal does not hold."""
+def confine(given: Mapping[str, Any], files: Sequence[int] = ()) -> None:
+    """Give up all that an answer does not need, but for these files. Raises OSError where a seal does not hold."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
     nothing = os.open(os.devnull, os.O_RDWR)
     os.dup2(given["results"], _OWN)
     for number in range(_OWN):
         os.dup2(nothing, number)
-    os.closerange(_OWN + 1, 1 << 20)
+    for one, other in pairwise([_OWN, *sorted(files), 1 << 20]):
+        os.closerange(one + 1, other)
     limits = {
         resource.RLIMIT_CPU: given["time"] + 1,
         resource.RLIMIT_AS: _MEMORY,

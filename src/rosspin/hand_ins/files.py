@@ -20,7 +20,7 @@ MOST_PLAIN = 1000
 
 _MOST_ANSWERS = 100
 
-SUFFIXES = (".json", ".py", ".ipynb", ".md")
+SUFFIXES = (".json", ".py", ".cpp", ".ipynb", ".md")
 """The files that can hold answers."""
 
 NUMBERED = (
@@ -74,9 +74,9 @@ def read(name: str, data: bytes) -> HandIn:
         return HandIn(_in_cells(_cells_of_notebook(data)))
     if name.endswith(".md"):
         return HandIn(_in_cells(_cells_of_markdown(_text(data))))
-    if name.endswith(".py"):
+    if name.endswith((".py", ".cpp")):
         return _read_node(name, _text(data))
-    raise Refused("it is no file of answers: those end in .json, .py, .ipynb or .md")
+    raise Refused("it is no file of answers: those end in .json, .py, .cpp, .ipynb or .md")
 
 
 def plain(name: str) -> str:
@@ -156,7 +156,7 @@ def _read_node(name: str, text: str) -> HandIn:
     """Read a node file. Its first line names the exercise, or else its own name does."""
     if match := _FIRST_LINE.match(text):
         return HandIn({_named(match[1]): text})
-    stem = name.rpartition("/")[2].removesuffix(".py").replace("_", "-")
+    stem = name.rpartition("/")[2].removesuffix(".py").removesuffix(".cpp").replace("_", "-")
     known = {exercise.name for exercise in EXERCISES}
     # A platform, or a browser, may have numbered what came again.
     for found in (stem, re.sub(r"( \(\d+\)|-\d+)$", "", stem)):

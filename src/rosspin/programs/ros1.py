@@ -36,6 +36,7 @@ class Ros1:
         self._event = event
         self._publishers: list[Publisher] = []
         self._subscribers: list[Subscriber] = []
+        self._kinds: list[str] = []  # of what they hear
         self._services: dict[str, _Service] = {}
         self._proxies: dict[int, _Proxy] = {}
         self._numbers = count()
@@ -73,6 +74,10 @@ class Ros1:
         """Do what the node has told."""
         self._told[what](*values)
 
+    def message(self, subscriber: int, data: bytes) -> Any:
+        """Return a message that a subscriber was given."""
+        return _class(self._kinds[subscriber])().deserialize(data)
+
     @property
     def _node(self) -> State:
         return self._world.part(State)
@@ -105,6 +110,7 @@ class Ros1:
 
     def _subscribe(self, topic: str, kind: str) -> int:
         number = len(self._subscribers)
+        self._kinds.append(kind)
 
         def receive(message: Any) -> None:
             self._event("message", [number, message._buff, message._connection_header["callerid"]])

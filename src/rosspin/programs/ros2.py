@@ -25,6 +25,7 @@ from ..rclpy.exceptions import (
     UnknownROSArgsError,
 )
 from ..rclpy.node import Node
+from ..rclpy.parameter import Parameter
 from ..rclpy.qos import QoSProfile
 from ..rclpy.services import Client, Header, Service
 from ..rclpy.topics import Publisher, Subscription
@@ -106,6 +107,10 @@ class Ros2:
     def take(self, what: str, values: list[Any]) -> None:
         """Do what the program has told."""
         self._told[what](*values)
+
+    def message(self, subscription: int, data: bytes) -> Any:
+        """Return a message that a subscription was given."""
+        return cdr.deserialize(data, self._subscriptions[subscription].msg_type)
 
     # --- contexts and nodes ---
 
@@ -239,7 +244,9 @@ class _Node(Node):
         self._rosspin.nudge = feed  # type: ignore[method-assign]
 
     def tell_parameter_event(self, data: bytes) -> None:
-        """Publish which parameters have changed, if something has looked."""
+        """Note which parameters are new, and publish which have changed, if something has looked."""
+        for each in cdr.deserialize(data, _class("rcl_interfaces/msg/ParameterEvent")).new_parameters:
+            self._parameters.setdefault(each.name, Parameter.from_parameter_msg(each))
         if publisher := self._parameter_event_publisher:
             publisher.publish(data)
 

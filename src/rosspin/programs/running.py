@@ -20,7 +20,7 @@ from ..clocks.stacks import current
 from ..world.world import NotSimulated, World, current_world
 from .values import packed, unpacked
 
-__all__ = ["Batch", "Child", "Program"]
+__all__ = ["Batch", "Child", "Program", "Running"]
 
 NEVER = 2**63 - 1
 
@@ -55,10 +55,10 @@ class Program:
         if not isinstance(world.clock, Simulation):
             raise NotSimulated("C++ on the wall clock", "in simulated time, or on a real ROS")
         world.bind(self.ros)
-        _Running(self, world, world.clock).run()
+        Running(self, world, world.clock).run()
 
 
-class _Running:
+class Running:
     """A node while it runs."""
 
     def __init__(self, program: Program, world: World, clock: Simulation) -> None:
@@ -71,6 +71,7 @@ class _Running:
         self._sources: list[str] = []
         self._ticks = 0  # how many were told
         self._open: dict[int, int] = {}  # the places of ticks that have not ended, by their numbers
+        self._came: tuple[int, str, list[Any]] = (-1, "", [])  # what it was given last, and when
         self._streams = {1: _Stream(lambda: sys.stdout), 2: _Stream(lambda: sys.stderr)}
         self._ros = _answers(program.ros)(world, self._come)
         self._has_ended = False  # by itself
@@ -138,6 +139,7 @@ class _Running:
 
     def _come(self, what: str, values: list[Any]) -> None:
         """Give something to the node as soon as it waits."""
+        self._came = (self._clock.now(), what, values)
         self._events.append((self._clock.now(), packed(what) + packed(values)))
         self._clock.wake(self._stack)
 
@@ -158,6 +160,18 @@ class _Running:
         }
 
     # --- what it has done ---
+
+    @property
+    def calling(self) -> str:
+        """The source of the tick that began last, of those that last; empty if none does."""
+        log = self._world.recording.log
+        return log.source(self._open[max(self._open)]) if log is not None and self._open else ""
+
+    @property
+    def heard(self) -> Any:
+        """The message that it was given just now, or None."""
+        when, what, values = self._came
+        return self._ros.message(*values[:2]) if (when, what) == (self._clock.now(), "message") else None
 
     def _note(self, what: str, *values: Any) -> None:
         log = self._world.recording.log

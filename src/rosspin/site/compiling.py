@@ -12,7 +12,9 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.typing import ExtensionMetadata
 
 from ..cpp import build_together
+from ..exercises.own import LESSONS
 from ..run.kinds import language_of, written_in
+from .lessons import shown_on
 from .vehicle import NODES
 
 __all__ = ["setup"]
@@ -51,6 +53,10 @@ def _nodes(page: str, root: Path) -> Iterator[tuple[str, str | None]]:
     shown = [file for file, _ in NODES.values() if ".. vehicle::" in page and language_of(file)]
     for file in dict.fromkeys([*_FILE.findall(page), *_LIVE.findall(page), *shown]):
         yield str(root / file), None
+    for name in shown_on(page):
+        for lesson in (other for each in LESSONS if each.exercise.name == name for other in (each, *each.others)):
+            if lesson.language == "cpp":
+                yield "answer.cpp", f"\n{lesson.node.rstrip()}"
     for text in _CELL.findall(page):
         if written_in(text):
             yield str(root / "notebooks" / "cell"), f"\n{text}"

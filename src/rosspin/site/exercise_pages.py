@@ -19,6 +19,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.builders.html import StandaloneHTMLBuilder
 from sphinx.util.typing import ExtensionMetadata
+from sphinx_design.tabs import sd_tab_input
 
 from ..exercises.own import FOLDER, LESSONS
 from .times import rounded, seconds
@@ -52,9 +53,11 @@ def difference(start: str, solution: str) -> nodes.literal_block:
 
 
 def _exercises(page: nodes.document) -> Iterator[_Exercise]:
+    known = set(_TEACHERS)
     for listing in page.findall(nodes.literal_block):
         found = _ANSWER.match(listing.astext())
-        if found and "live" in listing["classes"] and found[1] not in _TEACHERS:
+        if found and "live" in listing["classes"] and found[1] not in known:
+            known.add(found[1])  # in another language it is the same one
             section: Any = listing.parent
             while not isinstance(section, nodes.section) and "exercise" not in section["classes"]:
                 section = section.parent
@@ -71,12 +74,14 @@ def _alone(exercise: _Exercise, following: str) -> nodes.section:
     section = nodes.section("", nodes.title("", exercise.title), ids=exercise.section["ids"])
     for part in exercise.section.children[1:]:
         section += part
-        if _ANSWER.match(part.astext()):
+        if any(_ANSWER.match(listing.astext()) for listing in part.findall(nodes.literal_block)):
             section += _raw(following)
     return section
 
 
 def _render(app: Sphinx, doctree: nodes.document) -> str:
+    for node in doctree.findall(sd_tab_input):
+        node["ids"] = []  # docutils adds the one that it is given, each time that it writes the node
     visitor: Any = app.builder.create_translator(doctree, app.builder)
     doctree.walkabout(visitor)
     return "".join(visitor.fragment)

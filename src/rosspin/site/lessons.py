@@ -15,6 +15,7 @@ from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.typing import ExtensionMetadata
+from sphinx_design.shared import create_component
 
 from ..exercises import EXERCISES, check
 from ..exercises.own import FAULTS, FOLDER, LESSONS, Answer, Lesson
@@ -42,7 +43,10 @@ def shown_on(page: str) -> list[str]:
 
 
 class ExerciseDirective(SphinxDirective):
-    """``.. exercise:: NAME``: a teacher's exercise, with its hints; ``:solution:`` adds its first right answer."""
+    """``.. exercise:: NAME``: an exercise, with its hints; ``:solution:`` adds its first right answer.
+
+    One that is offered in several languages has a tab for each.
+    """
 
     required_arguments = 1
     option_spec: ClassVar = {"solution": directives.flag}
@@ -55,8 +59,6 @@ class ExerciseDirective(SphinxDirective):
                 file = f"lessons/{self.arguments[0].replace('-', '_')}.py"
                 note(self.env, self.lineno, f".. exercise:: {self.arguments[0]}", f"there is no {file}")
             return []
-        text = f"%%answer {lesson.exercise.name}\n{lesson.node.rstrip()}"
-        cell = nodes.literal_block(text, text, language="ipython3", classes=["live"])
         number = next(each.number for each in EXERCISES if each.name == lesson.exercise.name)
         title = f"Exercise {number}: {lesson.exercise.title}"
         told = self.parse_text_to_nodes(lesson.text)
@@ -64,7 +66,23 @@ class ExerciseDirective(SphinxDirective):
             if node.astext().startswith("%%simulate "):
                 node["classes"].append("live")
                 node["language"] = "ipython3"
-        shown: list[nodes.Node] = [nodes.rubric(title, title), *told, cell]
+        tabs = [self._tab(each) for each in (lesson, *lesson.others)] if lesson.others else []
+        answer = [create_component("tab-set", ["sd-tab-set"], children=tabs)] if tabs else self._answer(lesson)
+        shown: list[nodes.Node] = [nodes.rubric(title, title), *told, *answer]
+        return [nodes.container("", *shown, classes=["exercise"], ids=[lesson.exercise.name])]
+
+    def _tab(self, lesson: Lesson) -> nodes.Node:
+        """Make a tab like those that choose the language elsewhere."""
+        label = nodes.rubric("", {"python": "Python", "cpp": "C++"}[lesson.language], classes=["sd-tab-label"])
+        label["sync_group"], label["sync_id"] = "lang", lesson.language
+        content = create_component("tab-content", ["sd-tab-content"], children=self._answer(lesson))
+        return create_component("tab-item", ["sd-tab-item"], children=[label, content], selected=False)
+
+    def _answer(self, lesson: Lesson) -> list[nodes.Node]:
+        """Show the cell that runs in the page, and below it what is folded."""
+        text = f"%%answer {lesson.exercise.name}\n{lesson.node.rstrip()}"
+        classes = ["live", *(["highlight-cpp"] if lesson.language == "cpp" else [])]
+        shown: list[nodes.Node] = [nodes.literal_block(text, text, language="ipython3", classes=classes)]
         for number, hint in enumerate(lesson.hints, 1):
             shown += self._folded(f"Hint {number}", self.parse_text_to_nodes(hint))
         if "solution" in self.options and lesson.right:
@@ -72,7 +90,7 @@ class ExerciseDirective(SphinxDirective):
                 "Show the solution",
                 [difference(lesson.node, lesson.written(lesson.right[0])), *self.parse_text_to_nodes(lesson.after)],
             )
-        return [nodes.container("", *shown, classes=["exercise"], ids=[lesson.exercise.name])]
+        return shown
 
     @staticmethod
     def _folded(summary: str, inner: list[nodes.Node]) -> list[nodes.Node]:

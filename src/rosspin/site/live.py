@@ -27,6 +27,7 @@ from sphinx.util.typing import ExtensionMetadata
 
 from ..clocks.simulation import Simulation
 from ..cpp import build, compiler, lean
+from ..exercises import code
 from ..measures import lost_by_source
 from ..plots import picture
 from ..plots.pictures import page
@@ -114,17 +115,27 @@ def _add_below(app: Sphinx, doctree: nodes.document, name: str) -> None:
         if file and app.builder.format == "html":
             publish = _publish_launch if language == "xml" else _publish
             listing["classes"] += publish(Path(file), folder)
+        if "highlight-cpp" in listing["classes"] and app.builder.format == "html":
+            listing["classes"] += _publish_text(code(listing.astext()), Path(app.outdir, _PROGRAMS))
         made = "" if language == "xml" else plot(listing.astext(), file)
         place.parent.insert(where, nodes.raw("", made + _NO_SCRIPT, format="html"))
 
 
 def _publish(file: Path, folder: Path) -> list[str]:
     """Put the program of a C++ node into a folder, and return the class that names it."""
-    program = build(file).program
+    return _publish_program(build(file).program, file.read_text(encoding="utf-8"), folder)
+
+
+def _publish_text(text: str, folder: Path) -> list[str]:
+    """Do that for a node that is an exercise's."""
+    return _publish_program(build("answer.cpp", text=text, closed=True).program, text, folder)
+
+
+def _publish_program(program: Path, text: str, folder: Path) -> list[str]:
     packed = program.with_suffix(".gz")
     if not packed.exists():
         beside = packed.with_suffix(f".{os.getpid()}")
-        beside.write_bytes(gzip.compress(lean(program.read_bytes(), file.read_text(encoding="utf-8")), mtime=0))
+        beside.write_bytes(gzip.compress(lean(program.read_bytes(), text), mtime=0))
         beside.rename(packed)
     return [f"program-{_put(packed.read_bytes(), folder)}"]
 

@@ -94,10 +94,18 @@ class Magics(BaseMagics):
 
     @line_magic("answer")  # type: ignore[arg-type]
     def task(self, line: str) -> None:
-        """``%answer NAME``: put the exercise of this name, one that is a file, into a cell of its own below."""
-        lesson = next((each for each in LESSONS if each.exercise.name == line.strip()), None)
+        """``%answer NAME [LANGUAGE]``: put the exercise of this name into a cell of its own below.
+
+        The language is Python unless it is ``cpp``, in which some exercises are, too.
+        """
+        name, language = [*line.split(), "", ""][:2]
+        lesson = next((each for each in LESSONS if each.exercise.name == name), None)
         if lesson is None:
             raise UsageError(f"%answer NAME: there is no such exercise; the names are {', '.join(_names())}")
+        offered = {each.language: each for each in (lesson, *lesson.others)}
+        if language and language not in offered:
+            raise UsageError(f"%answer {name}: it is offered in {' and '.join(offered)}")
+        lesson = offered.get(language, lesson)
         shell: Any = self.shell
         told = f"**{lesson.exercise.title}**\n\n{lesson.text}"
         shell.display_pub.publish({"text/markdown": told, "text/plain": told})

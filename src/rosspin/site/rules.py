@@ -9,10 +9,12 @@ import json
 from typing import Any
 
 from .. import hand_ins
+from ..cpp.faults import ADVICE
 from ..exercises import EXERCISES
 from ..hand_ins.files import NUMBERED
 from ..hand_ins.found import ON_PAGE
 from ..plots import layout
+from ..run.kinds.cpp import INCLUDES
 
 __all__ = ["defined"]
 
@@ -28,6 +30,7 @@ def defined() -> dict[str, Any]:
                 **{"time": hand_ins.TIME, "said": hand_ins.MOST_SAID, "entries": ON_PAGE.entries},
             },
             "timeline": layout.constants(),
+            "cpp": {"advice": ADVICE, "includes": INCLUDES.pattern},
         },
     }
 

@@ -174,6 +174,11 @@ class TickLog:
         """Record how long a tick took, in ns, now that it has ended."""
         self._fields[place * _FIELDS + 4] = duration
 
+    def source(self, place: int) -> str:
+        """Return what has ticked."""
+        found: str = self._fields[place * _FIELDS]
+        return found
+
     def is_running(self, place: int) -> bool:
         """Whether a tick has not ended."""
         return self._fields[place * _FIELDS + 4] is None

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS
+from answers import CELLS, IN_CPP
 from command_line import NEVER
 from hostile import ATTACKS, got_in, teachers_services, written
 
@@ -115,6 +115,53 @@ def test_no_attack_gets_in(user: str, folder: Path) -> None:
     assert {answer["verdict"] for answer in answers.values()} == {"not yet"}
     assert not obeyed and "TOPSECRET" not in json.dumps(found)
     assert sorted(os.listdir(folder)) == ["bus.sock", "class", "secret"]
+
+
+# What a node in C++ does at its start, and lines above it.
+IN_A_PROGRAM = {
+    "files": 'for (const char* name : {"/etc/passwd", "FOLDER/secret", "/build/cpp", "/dev/null", "."})\n'
+    '  if (std::fopen(name, "r")) std::printf("IN %s\\n", name);',
+    "folders": 'if (std::filesystem::exists("/") || std::filesystem::exists(".")) std::puts("IN");',
+    "writes": 'if (std::ofstream("x") << "x" << std::flush) std::puts("IN");',
+    "environment": 'if (std::getenv("SECRET") || std::getenv("HOME") || std::getenv("PATH")) std::puts("IN");',
+    "standard input": 'if (std::getchar() != EOF) std::puts("IN");',
+    "its host": 'std::printf("{\\"status\\":0,\\"log\\":[],\\"now\\":\\"0\\"}\\n");',
+    "the stack": "std::function<int(int)> f = [&](int n) { return f(n + 1) + 1; }; std::exit(f(0));",
+    "memory": "for (;;) std::memset(std::malloc(1 << 20), 1, 1 << 20);",
+    "no end at Ctrl-C": "signal(SIGINT, SIG_IGN); for (;;) rclcpp::sleep_for(std::chrono::seconds(1));",
+}
+ABOVE = {
+    "include": '#include "/etc/passwd"\n#include "FOLDER/secret"',
+    "embed": 'const char stolen[] = {\n#embed "FOLDER/secret"\n};',
+    "incbin": 'asm(".incbin \\"FOLDER/secret\\"");',
+    "a compiler without memory": "int a[] = {[0 ... 0x7fffffff] = 1};",
+}
+_HEADERS = "".join(
+    f"#include <{name}>\n"
+    for name in ("csignal", "cstdio", "cstdlib", "cstring", "filesystem", "fstream", "functional")
+)
+
+
+def test_no_attack_in_cpp_gets_in(user: str, folder: Path) -> None:
+    """The files of a program, and of its compiler, are those that it is given; a right answer comes after each."""
+    solved = IN_CPP["make-it-10-hz"].changed
+    start = "rclcpp::init(argc, argv);"
+    attacks = {name: _HEADERS + solved.replace(start, f"{start}\n{does}") for name, does in IN_A_PROGRAM.items()}
+    attacks |= {name: f"{above}\n{solved}" for name, above in ABOVE.items()}
+    for name, text in attacks.items():
+        text = text.replace("FOLDER", str(folder))
+        handed_in(folder / "class", f"{name} 1", "make-it-10-hz", text)
+        handed_in(folder / "class", f"{name} 2", "make-it-10-hz", solved)
+    with teachers_services(folder) as obeyed:
+        status, found, err = judge(folder / "class", user=user)
+    assert (status, err, found["sealed"]) == (1, "", True)
+    answers = said(found)
+    assert {name: answers[f"{name} 2"]["verdict"] for name in attacks} == dict.fromkeys(attacks, "solved")
+    tried = {name: answers[f"{name} 1"] for name in attacks}
+    assert {name: got_in(answer["said"]) for name, answer in tried.items()} == dict.fromkeys(attacks, [])
+    fine = {"files", "folders", "writes", "environment", "standard input", "its host"}
+    assert {name for name, answer in tried.items() if answer["solved"]} == fine
+    assert not obeyed and "TOPSECRET" not in json.dumps(found)
 
 
 HOLDS_ON = """

@@ -46,10 +46,8 @@ export class Beside {
   }
 }
 
-/** A node that tells its ticks before what it then prints, as it belongs to the last of them. */
 class Suspended extends Node {
   print(fd, text) {
-    this.tellTicks()
     super.print(fd, text.replace(COLOURS, ""))
   }
 }

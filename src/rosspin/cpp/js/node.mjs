@@ -69,6 +69,8 @@ export class Node {
   }
 
   print(fd, text) {
+    // A host that never lets it run on its own is told of a tick before what is printed in it.
+    if (this.shared.horizon <= this.shared.now) this.tellTicks()
     this.note("out", fd, text)
   }
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
-from ..judging import Judge, plain
+from ..judging import Judge, language_of, plain
 
 __all__ = ["EXERCISES", "FAULTS", "FOLDER", "LESSONS", "Answer", "Exercise", "Fault", "Lesson"]
 
@@ -30,18 +30,29 @@ class Exercise(NamedTuple):
     ``name`` stays, whatever comes before it: answers, files and links know it. ``number`` is what is shown, and
     ``part`` the heading below which it stands on the list of its ``ros``, 1 or 2; empty for one that is on neither.
     ``needs`` are the pages to read first, as paths without a suffix. ``reveals`` is the misconception that a wrong
-    answer gives away, as its holder would put it. ``hint`` is for answers about which there is nothing more to say.
+    answer gives away, as its holder would put it. It takes answers in the languages of ``hints``, which are for answers
+    about which there is nothing more to say.
     """
 
     title: str
     needs: tuple[str, ...]
     reveals: str
-    hint: str
+    hints: Mapping[str, str]
     judge: Judge
     name: str = ""
     part: str = ""
     ros: int = 0
     number: int = 0
+
+    @property
+    def languages(self) -> tuple[str, ...]:
+        """The languages of its answers, as Pygments has them."""
+        return tuple(self.hints)
+
+    def hint(self, answer: Any) -> str:
+        """Return the hint for an answer in its language; that of the first for any other."""
+        language = language_of(answer)
+        return self.hints.get(language.name if language else "python", [*self.hints.values()][0])
 
 
 class Fault(NamedTuple):
@@ -58,7 +69,7 @@ class Lesson(NamedTuple):
 
     ``changed`` is what the answers change: the solution, where the file has one, or the node. With each wrong answer
     comes a part of what should be said of it, and maybe one of the hint. The first right one is the solution; ``after``
-    is what is said below it.
+    is what is said below it. ``others`` are the same exercise in other languages than its ``language``.
     """
 
     exercise: Exercise
@@ -70,6 +81,8 @@ class Lesson(NamedTuple):
     right: tuple[Answer, ...]
     wrong: tuple[tuple[Any, ...], ...]
     after: str
+    language: str = "python"
+    others: tuple[Lesson, ...] = ()
 
     def written(self, answer: Answer) -> str:
         """Write an answer out. Raises ValueError if it replaces what is not there."""
@@ -121,6 +134,9 @@ _IN_ORDER = (
 )
 """The tasks of ``notebooks/drive.md`` in this folder, in the order of their page."""
 
+# How the names of what a file says again for C++ end.
+_ENDS = ("_CPP",)
+
 # The pages that an exercise needs, with links as in ``notebooks``: those there, and others.
 _NEEDS = re.compile(r"\A\*\*You need\*\*:(.*?)\n\n", re.DOTALL)
 _PAGE = re.compile(r"\]\((?:\.\./(docs/[\w/-]+)|([\w-]+))\.\w+\)")
@@ -167,22 +183,41 @@ def _read(name: str, module: ModuleType) -> Lesson | None:
         FAULTS.append(Fault(file, 1, "WRONG", "each is a pair: an answer, and a part of what is said of it"))
     if len(FAULTS) > before:
         return None
-    hints, text = tuple(module.HINTS), getattr(module, "TEXT", "").strip()
-    node, solution = module.NODE.lstrip("\n"), getattr(module, "SOLUTION", None)
+    text = getattr(module, "TEXT", "").strip()
     needs = _NEEDS.search(text)
+    ends = ["", *(each for each in _ENDS if hasattr(module, f"NODE{each}"))]
+    given = {_name(getattr(module, f"NODE{end}")): _hint(module, end) for end in ends}
     exercise = Exercise(
         title=module.TITLE,
         needs=tuple(folder or "notebooks/" + page for folder, page in _PAGE.findall(needs[1])) if needs else (),
         reveals=getattr(module, "REVEALS", ""),
-        hint=getattr(module, "HINT", hints[0] if hints else "Look at the text of the exercise once more."),
+        hints=given,
         judge=module.check,
         name=name.replace("_", "-"),
-        ros=2 if re.search(r"\brclpy\b", module.NODE) else 1,
+        ros=2 if re.search(r"\brclpy\b|\brclcpp/", module.NODE) else 1,
     )
+    first, *others = [_in_language(exercise, file, text, module, end) for end in ends]
+    return first._replace(others=tuple(others))
+
+
+def _hint(module: ModuleType, end: str) -> str:
+    hints = getattr(module, f"HINTS{end}")
+    return str(getattr(module, f"HINT{end}", hints[0] if hints else "Look at the text of the exercise once more."))
+
+
+def _in_language(exercise: Exercise, file: Path, text: str, module: ModuleType, end: str) -> Lesson:
+    """Read what of a file is of one language: the names that have this ``end``."""
+    node, solution = getattr(module, f"NODE{end}").lstrip("\n"), getattr(module, f"SOLUTION{end}", None)
     changed = node if solution is None else _written(node, solution)
-    right = [*([] if solution is None else [changed]), *module.RIGHT]
-    after, wrong = getattr(module, "AFTER", "").strip(), tuple(map(tuple, module.WRONG))
-    return Lesson(exercise, file, text, node, changed, hints, tuple(right), wrong, after)
+    right = [*([] if solution is None else [changed]), *getattr(module, f"RIGHT{end}", ())]
+    wrong = tuple(map(tuple, getattr(module, f"WRONG{end}", ())))
+    hints, after = tuple(getattr(module, f"HINTS{end}")), getattr(module, f"AFTER{end}", "").strip()
+    return Lesson(exercise, file, text, node, changed, hints, tuple(right), wrong, after, _name(node))
+
+
+def _name(node: str) -> str:
+    language = language_of(node)
+    return language.name if language else "python"
 
 
 FOLDER = _folder()

@@ -44,12 +44,54 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "rclcpp/rclcpp.hpp"
+
+using namespace std::chrono_literals;
+
+class SpinnerCppNode : public rclcpp::Node
+{
+public:
+  SpinnerCppNode() : Node("spinner_cpp_node")
+  {
+    timer_ = create_wall_timer(500ms, [this] { timerCallback(); });
+  }
+
+private:
+  void timerCallback()
+  {
+    counter_++;
+    RCLCPP_INFO_STREAM(get_logger(), "[SPINNER CPP NODE] counter = " << counter_);
+  }
+
+  unsigned int counter_ = 0;
+  rclcpp::TimerBase::SharedPtr timer_;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<SpinnerCppNode>());
+  return 0;
+}
+"""
+
 HINTS = [
     "Is the first argument of `create_timer` a frequency, or the time from one call to the next?",
     "It is the period, in seconds. How many seconds is a period of 10 Hz?",
     "The period is 1 divided by the frequency: 1 / 10.",
 ]
+HINTS_CPP = [
+    "Is the first argument of `create_wall_timer` a frequency, or the time from one call to the next?",
+    "It is the period, with its unit: `500ms` is half a second. How long is a period of 10 Hz?",
+    "The period is 1 divided by the frequency: 1 s / 10.",
+]
 HINT = "`create_timer` takes a period in seconds, not a frequency: the period is 1 / frequency."
+
+HINT_CPP = "`create_wall_timer` takes a period with its unit, not a frequency: the period is 1 / frequency."
 
 check = by.run(1.0, by.ticks(0.1))
 
@@ -113,4 +155,58 @@ WRONG = [
         "TypeError",
         "no argument",
     ),
+]
+
+MAKES_CPP = "create_wall_timer(100ms, [this] { timerCallback(); });"
+SAYS_CPP = 'RCLCPP_INFO_STREAM(get_logger(), "[SPINNER CPP NODE] counter = " << counter_);'
+SPIN_CPP = "  rclcpp::spin(std::make_shared<SpinnerCppNode>());\n"
+PLAIN_CPP = """#include "rclcpp/rclcpp.hpp"
+#include <cstdio>
+int main(int argc, char** argv) {
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("n");
+  int count = 0;
+  auto timer = rclcpp::create_timer(node, node->get_clock(), rclcpp::Duration::from_seconds(0.1),
+      [&] { std::printf("[SPINNER CPP NODE] counter = %d\\n", ++count); });
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(node);
+  executor.spin();
+}
+"""
+
+SOLUTION_CPP = {"500ms": "100ms"}
+
+RIGHT_CPP = [
+    {"100ms": "std::chrono::milliseconds(100)"},
+    {"100ms": "std::chrono::duration<double>(1 / 10.0)"},
+    {MAKES_CPP: "create_wall_timer(0.1s, std::bind(&SpinnerCppNode::timerCallback, this));"},
+    {MAKES_CPP: "create_timer(100ms, [this]() -> void { this->timerCallback(); });"},
+    {SAYS_CPP: 'RCLCPP_INFO(this->get_logger(), "[SPINNER CPP NODE] counter = %u", counter_);'},
+    PLAIN_CPP,
+]
+WRONG_CPP = [
+    ({"100ms": "10s"}, "no counter was printed", NOT_HZ),
+    ({"100ms": "10ms"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_HZ),
+    ({"100ms": "500ms"}, "counter 1 came at 0.5 s, not at 0.1 s", NOT_HZ),
+    ({"100ms": "10"}, "Line 13, column 14, does not compile: `no matching member function", "A period has a unit"),
+    ({"100ms": "std::chrono::seconds(1 / 10)"}, "a timer whose period is 0 s", "In C++, `1 / 10` is 0"),
+    ({"100ms": "-100ms"}, "timer period cannot be negative", "A period cannot be negative"),
+    (
+        {MAKES_CPP: f"{MAKES_CPP}\n    other_ = {MAKES_CPP}", "SharedPtr timer_;": "SharedPtr timer_, other_;"},
+        "counter 2 came at 0.1 s",
+        "two at a time",
+    ),
+    ({"timer_ = create": "auto timer = create"}, "no counter was printed", "was stopped before its first call"),
+    ({"[this]": "[]"}, "does not compile: `'this' cannot be implicitly captured", "write [this] in place of []"),
+    ({"counter_++;": "counter_++"}, "does not compile: `expected ';'", "A ; is missing"),
+    (
+        {"counter_++;": "counter_ += 10;"},
+        "where counter 1 was due, counter 10 came",
+        "The counter goes up by 10 each time:",
+    ),
+    ({SPIN_CPP: ""}, "no counter was printed", "The node ended by itself"),
+    ({"[this] { timer": "[this](int) { timer"}, "does not compile", "The callback does not fit what calls it"),
+    ({"counter_++;": "*std::shared_ptr<int>() = 1;"}, "it has used a null pointer", "was not made yet"),
+    ({"counter_++;": 'throw std::runtime_error("lost");'}, "what(): lost", "nothing in the node has caught it"),
+    ({"rclcpp/rclcpp.hpp": "ros/ros.h"}, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -11,7 +11,8 @@ from .ros import Ros, Words
 from .ros1 import Ros1
 from .ros2 import Ros2
 
-__all__ = ["LANGUAGES", "ROS", "Language", "Ros", "is_of_a_ros", "language_of", "ros_of", "words_in", "written_in"]
+__all__ = ["LANGUAGES", "ROS", "Language", "Ros", "is_of_a_ros", "language_of", "ros_of"]
+__all__ += ["words_in", "words_of", "written_in"]
 
 # By their numbers.
 ROS: dict[int, Ros] = {each.number: each for each in (Ros1(), Ros2())}
@@ -45,5 +46,9 @@ def written_in(text: str) -> Language | None:
 
 def words_in(path: str, ros: int) -> Words:
     """Return the words for a node of a ROS, in the language of its file."""
-    language = language_of(path)
+    return words_of(language_of(path), ros)
+
+
+def words_of(language: Language | None, ros: int) -> Words:
+    """Return the words for a node of a ROS, in a language, or in Python."""
     return language.words[ros] if language else ROS[ros].words

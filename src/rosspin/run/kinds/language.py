@@ -33,8 +33,16 @@ class Language(ABC):
         """Whether a text is a node in this language."""
 
     @abstractmethod
-    def program(self, path: str, waiting: Callable[[], object], text: str | None = None) -> Program:
+    def named_in(self, text: str) -> set[int]:
+        """Return the numbers of the ROSes that a text names."""
+
+    @abstractmethod
+    def program(
+        self, path: str, waiting: Callable[[], object], text: str | None = None, closed: bool = False
+    ) -> Program:
         """Make a program of a file, or of a text if one is given. ``waiting()`` is called again and again meanwhile.
+
+        A text that is ``closed`` includes nothing but what its ROS has.
 
         Raises OSError if the file cannot be read, and ValueError if it is no such node.
         """

@@ -17,10 +17,11 @@ __all__ = ["Ros", "Words"]
 
 
 class Words(NamedTuple):
-    """What a node's loops should ask, and how they should sleep, as it is written in the node's language."""
+    """What a node's loops should ask, how they should sleep, and what a node ends with, as its language writes it."""
 
     asks: str
     sleeps: str
+    spins: str
 
 
 class Ros(ABC):
@@ -42,7 +43,6 @@ class Ros(ABC):
     # Whether each timer calls back in a thread of its own.
     timers_are_threads: ClassVar[bool]
     words: ClassVar[Words]  # in Python
-    spins: ClassVar[str]  # what a node in Python ends with
     killed_as: ClassVar[str] = ""  # what else kills a node that does not end, as the rest of a sentence
     also_threads: ClassVar[str] = ""  # what else is a thread, likewise
     _steps: ClassVar[str]

@@ -26,8 +26,7 @@ class Ros1(Ros):
     raises = False
     in_terminals = False
     timers_are_threads = True
-    words = Words("rospy.is_shutdown()", "rospy.sleep(0.1)")
-    spins = "rospy.spin()"
+    words = Words("rospy.is_shutdown()", "rospy.sleep(0.1)", "rospy.spin()")
     killed_as = ", as roslaunch does"
     also_threads = " (a rospy.Timer is one, too)"
     _steps = "steps_seen.ThreadsSeen"

@@ -36,8 +36,7 @@ class Ros2(Ros):
     raises = True
     in_terminals = True
     timers_are_threads = False
-    words = Words("rclpy.ok()", "time.sleep(0.1)")
-    spins = "rclpy.spin(node)"
+    words = Words("rclpy.ok()", "time.sleep(0.1)", "rclpy.spin(node)")
     _steps = "scenes.Scenes"
 
     @property

@@ -1,0 +1,58 @@
+"""What the compiler says of a node, as places in it; the first of these explained, where it is a common mistake.
+
+``web/src/faults.js`` does the same in a page, with the same table.
+"""
+
+from __future__ import annotations
+
+import re
+
+__all__ = ["ADVICE", "advice", "first"]
+
+ADVICE = (
+    (
+        r"could not match '(std::chrono::)?duration<.*>' against",
+        "A period has a unit, as in 500ms, or std::chrono::duration<double>(0.5) for a number of seconds.",
+    ),
+    ("expected ';'", "A ; is missing: at the end of this line, or of the one before it."),
+    (
+        "'this' cannot be implicitly captured",
+        "A lambda knows the object that it is made in only if you give it that: write [this] in place of [].",
+    ),
+    (
+        r"no matching (member )?function for call to '(create\w*|subscribe)'|to object of type '.*lambda"
+        r"|a callback of a subscription takes|'detail::Adapter<.*' is not a class",
+        "The callback does not fit what calls it: compare its parameters. A timer of ROS 1 calls it with a const "
+        "ros::TimerEvent&, one of ROS 2 with nothing, and a subscription with the message, as a const reference to "
+        "its type.",
+    ),
+)
+"""What the compiler says of an error, in a line of its own, and what it means. JavaScript has such patterns, too."""
+
+_SAID = re.compile(r"(.*?):(\d+):(\d+): (?:fatal )?(error|note): (.*)")
+_LAMBDA = re.compile(r"\(lambda at (.*?):(\d+):(\d+)\)")
+
+
+def first(said: str, file: str) -> tuple[int, int, str]:
+    """Return the line, the column and the text of the first error in a file; line 0 if there is no place in it.
+
+    An error in a header counts where the file is named with it.
+    """
+    text = ""
+    for line in said.splitlines():
+        if not (found := _SAID.match(line)):
+            continue
+        if found[4] == "error":
+            text = text or found[5]
+        place = found if found[1] == file else _LAMBDA.search(found[5])
+        if text and place and place[1] == file:
+            return int(place[2]), int(place[3]), text
+    return 0, 0, text or said.strip().partition("\n")[0]
+
+
+def advice(said: str) -> str:
+    """Return what the first error means; empty if that is none of the table's."""
+    found = [match for line in said.splitlines() if (match := _SAID.match(line))]
+    end = next((number for number, match in enumerate(found) if number and match[4] == "error"), None)
+    error = "\n".join(match[5] for match in found[:end])  # with the notes on it
+    return next((meaning for pattern, meaning in ADVICE if re.search(pattern, error)), "")
