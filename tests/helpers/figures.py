@@ -161,7 +161,7 @@ FIGURES = [
     Kind("notebooks/rate.html", 0, "Work in each pass", loops),
     Kind("notebooks/slow-callback.html", 0, "The third call takes", three("block_call:=3", seconds=6.2)),
     Kind("notebooks/ros2-rate.html", 0, "Work in each pass", ros2_loops),
-    Kind("notebooks/ros2-executors.html", 0, "Work of the slow timer", executors),
+    Kind("notebooks/ros2-groups.html", 0, "Work of the slow timer", executors),
     Kind("docs/how-timing-works.html", 0, "Every call takes", probes(seconds=6)),
     Kind("docs/how-timing-works.html", 1, "The third call takes", probes("_block_call:=3", seconds=6)),
     Kind("docs/ros2/how-timing-works.html", 0, "The third call takes", both_of_ros_2("timer_probe")),

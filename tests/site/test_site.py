@@ -333,6 +333,12 @@ MOVED = {
     ("docs/ros2/publish", "publish-build"): "publish-the-counter subscribe-in-another-node build-and-run-them",
     ("docs/ros2/publish", "publish-qos"): "one-process-or-two depth-what-a-slow-subscriber-misses ros2-publish-depth "
     "durability-what-a-late-subscriber-hears ros2-publish-late when-the-two-ends-do-not-match ros2-publish-mismatch",
+    ("notebooks/ros2-timer", "ros2-timer-slow"): "make-one-call-slow-and-read-how-late-the-next-one-is "
+    "compare-it-with-the-real-rclpy stop-a-timer-and-start-it-again",
+    ("notebooks/ros2-rate", "ros2-rate-slow"): "make-a-pass-take-too-long make-the-loop-hang look-at-how-the-loop-ends",
+    ("notebooks/ros2-executors", "ros2-groups"): "see-a-callback-overlap-itself change-the-work-of-the-slow-timer "
+    "keep-a-rule-of-thumb",
+    ("notebooks/ros2-services", "ros2-actions"): "wait-for-the-answer-in-other-ways follow-an-action",
 }
 
 

@@ -119,7 +119,7 @@ def test_no_stiff_word_is_left() -> None:
 # Sounds translated, too. Gone through are the course on ROS 2, up to its exercises, and what is like it for ROS 1.
 TRANSLATED = re.compile(r"\b(stands?(?!-)|lets?|beside)\b|(?<=\. )What\b[^?.]*\.(?= |$)", re.IGNORECASE)
 COURSE = [page for name in ("tutorial", "publish", "how-timing") for page in sorted(ROOT.glob(f"docs/**/{name}*.rst"))]
-COURSE += [ROOT / f"notebooks/ros2-{name}.md" for name in ("timer", "rate", "executors", "publish", "services")]
+COURSE += [page for page in sorted(ROOT.glob("notebooks/ros2-*.md")) if page.stem != "ros2-exercises"]
 COURSE += [ROOT / f"notebooks/{name}.md" for name in ("timer", "rate", "slow-callback", "drift", "publish")]
 COURSE += [ROOT / "notebooks/two-languages.md"]
 

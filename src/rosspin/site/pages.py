@@ -315,7 +315,9 @@ class ListingDirective(LiteralInclude):
 
 
 class LookDirective(SphinxDirective):
-    """``.. look:: FILE``: what ``rosspin look`` prints of a log, as of a file ``console.txt``, and its plot.
+    """``.. look:: FILE``: what ``rosspin look`` prints of a log, as of a file ``console.txt``.
+
+    ``:plot: overview`` gives the plot of it in place of that.
 
     ``:shows: NAME`` is for the section on a verdict, which has to be the first that this log gets: then there is only
     the ``:plot:`` of that name in :mod:`rosspin.plots`, of the part ``:seconds: FROM-TO``. Lines that match
@@ -342,9 +344,11 @@ class LookDirective(SphinxDirective):
             caption += ", some lines taken out"
         found = look(data, "console.txt")
         if "shows" not in self.options:
-            text = "\n".join(["$ rosspin look console.txt --plot look.svg", *found.report()])
-            yield nodes.literal_block(text, text, language="text")
-            yield nodes.raw("", page(overview(found.ticks(), caption=caption)), format="html")
+            if "plot" in self.options:
+                yield nodes.raw("", page(overview(found.ticks(), caption=caption)), format="html")
+            else:
+                text = "\n".join(["$ rosspin look console.txt --plot look.svg", *found.report()])
+                yield nodes.literal_block(text, text, language="text")
             return
         if found.verdicts[0].name != self.options["shows"]:
             raise ValueError(f"this log is told to be {found.verdicts[0].name}")
