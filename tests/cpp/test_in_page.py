@@ -125,11 +125,11 @@ def test_what_late_and_lost_ticks_come_to(blocks: str, tmp_path: Path) -> None:
         assert result["alternative"] == said + (f" Lost ticks: {len(lost[source])}." if lost else "")
 
 
-@pytest.mark.parametrize("name", ["ros1", "ros1_threads", "ros2"])
+@pytest.mark.parametrize("name", ["ros1", "ros1_threads", "ros2", "ros2_threads"])
 def test_the_scenarios(name: str, tmp_path: Path) -> None:
     file = FOLDER / f"{name}.cpp"
-    more = ["--ros-args", "-r", "from:=to"] if name == "ros2" else ["from:=to"]
-    lines = [[f"_scenario:={each}" if name != "ros2" else each, *more] for each in recorded(f"{name}.txt")]
+    before, *more = ("", "--ros-args", "-r", "from:=to") if "ros2" in name else ("_scenario:=", "from:=to")
+    lines = [[before + each, *more] for each in recorded(f"{name}.txt")]
     found = in_page(file, [(SECONDS, " ".join(line)) for line in lines], tmp_path)
     for line, (console, result) in zip(lines, found, strict=True):
         if not ASKS_FOR_OTHERS.search(console):

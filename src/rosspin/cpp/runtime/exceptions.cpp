@@ -53,6 +53,7 @@ struct
   Header* caught;
   unsigned uncaught;
 } rosspin_handling;
+Header* rosspin_raised;  // last
 }
 
 namespace
@@ -65,6 +66,7 @@ void* object_of(Header* header) { return header + 1; }
 [[noreturn]] void raise(Header* header)
 {
   uncaught++;
+  rosspin_raised = header;
   __builtin_wasm_throw(0, header);
 }
 
@@ -133,9 +135,12 @@ std::string readable(const std::string& mangled)
   return at == end ? name : mangled;
 }
 
-// Says what ends the program, as libstdc++ does, which the real ROS is built with.
+// Says what ends the program, as libstdc++ does, which the real ROS is built with. There, what nothing catches ends it
+// before any destructor could.
 [[noreturn]] void say_and_abort()
 {
+  if (uncaught && !caught_here)
+    __cxxabiv1::__cxa_begin_catch(rosspin_raised);
   if (const std::type_info* type = __cxxabiv1::__cxa_current_exception_type())
   {
     std::fprintf(stderr, "terminate called after throwing an instance of '%s'\n", readable(type->name()).c_str());

@@ -456,6 +456,7 @@ bool Context::shutdown(const std::string& reason)
   valid_ = false;
   reason_ = reason;
   rosspin::tell("shutdown", {id_});
+  rosspin::stir();
   for (const auto& callback : Callbacks(after_))
     (*callback)();
   return true;
@@ -595,7 +596,13 @@ namespace detail
 {
 std::uint64_t changes = 1;
 
-Callable::~Callable() { changes++; }
+Callable::~Callable() { changed(); }
+
+void changed()
+{
+  changes++;
+  rosspin::stir();
+}
 
 std::chrono::nanoseconds checked_period(long double ns)
 {
@@ -612,10 +619,17 @@ std::string below(const std::string& name, const std::string& sub_namespace)
 }
 }  // namespace detail
 
+bool detail::Callable::is_free() const
+{
+  auto in = group.lock();
+  return !in || in->can_be_taken_from();
+}
+
 void CallbackGroup::add(const std::shared_ptr<detail::Callable>& member)
 {
+  member->group = weak_from_this();
   members_.push_back(member);
-  detail::changes++;
+  detail::changed();
 }
 
 std::vector<std::shared_ptr<detail::Callable>> CallbackGroup::members() const
@@ -649,14 +663,14 @@ NodeBaseInterface::NodeBaseInterface(const std::string& name, const std::string&
 NodeBaseInterface::~NodeBaseInterface()
 {
   rosspin::tell("end_node", {id_});
-  detail::changes++;
+  detail::changed();
 }
 
 CallbackGroup::SharedPtr NodeBaseInterface::create_callback_group(CallbackGroupType type, bool automatic)
 {
   auto group = std::make_shared<CallbackGroup>(type, automatic);
   groups_.push_back(group);
-  detail::changes++;
+  detail::changed();
   return group;
 }
 
@@ -732,6 +746,7 @@ void TimerBase::reset()
 {
   next_ = later(clock_->ns(), period_);
   cancelled_ = false;
+  rosspin::stir();
   if (on_reset_)
     on_reset_(1);
 }
@@ -1686,7 +1701,7 @@ void Executor::add_node(Base node, bool)
     throw std::runtime_error("Node '" + std::string(node->get_fully_qualified_name()) +
                              "' has already been added to an executor.");
   nodes_.push_back(node);
-  detail::changes++;
+  detail::changed();
   if (!spinning_)
     collect();
 }
@@ -1700,7 +1715,7 @@ void Executor::remove_node(Base node, bool)
                              (node->get_associated_with_executor_atomic() ? "this executor." : "an executor."));
   nodes_.erase(found);
   node->get_associated_with_executor_atomic() = false;
-  detail::changes++;
+  detail::changed();
   if (!spinning_)
     collect();
 }
@@ -1710,7 +1725,7 @@ void Executor::add_callback_group(CallbackGroup::SharedPtr group, Base, bool)
   if (group->get_associated_with_executor_atomic().exchange(true))
     throw std::runtime_error("Callback group has already been added to an executor.");
   groups_.push_back(group);
-  detail::changes++;
+  detail::changed();
   if (!spinning_)
     collect();
 }
@@ -1722,7 +1737,7 @@ void Executor::remove_callback_group(CallbackGroup::SharedPtr group, bool)
     throw std::runtime_error("Callback group needs to be associated with an executor.");
   groups_.erase(found);
   group->get_associated_with_executor_atomic() = false;
-  detail::changes++;
+  detail::changed();
 }
 
 // Of what is new, the newest comes first, after all that was there: rclcpp puts it into a hash table, which happens to do
@@ -1769,7 +1784,7 @@ std::vector<std::shared_ptr<detail::Callable>> Executor::due() const
       Callable::subscription, Callable::timer, Callable::client, Callable::service};
   std::vector<std::shared_ptr<Callable>> found;
   for (const auto& each : known_)
-    if (auto callable = each.lock(); callable && callable->is_due())
+    if (auto callable = each.lock(); callable && callable->is_free() && callable->is_due())
       found.push_back(callable);
   if (found.size() > 1)
   {
@@ -1787,7 +1802,7 @@ std::int64_t Executor::next_due() const
 {
   std::int64_t next = rosspin::never;
   for (const auto& each : known_)
-    if (auto callable = each.lock())
+    if (auto callable = each.lock(); callable && callable->is_free())
       next = std::min(next, callable->due());
   return next;
 }
@@ -1815,10 +1830,7 @@ bool Executor::call_next()
     return false;
   auto callable = taken_.front();
   taken_.pop_front();
-  std::int64_t begun = rosspin::now();
   callable->call_back();
-  if (rosspin::now() > begun)
-    called(*callable, begun);
   return true;
 }
 
@@ -1905,15 +1917,51 @@ void SingleThreadedExecutor::spin()
       wait_for_work(-1);
 }
 
-void MultiThreadedExecutor::called(const detail::Callable&, std::int64_t begun)
+void MultiThreadedExecutor::spin()
 {
-  if (threads_ == 1)
-    return;
-  rosspin::wait(rosspin::now());
-  for (const auto& callable : due())
-    if (callable->kind != detail::Callable::timer || callable->due() < rosspin::now() || begun < rosspin::now())
-      rosspin::not_simulated("a callback that takes time under rclcpp::executors::MultiThreadedExecutor, while another "
-                             "is due,");
+  Spinning spinning(*this, "spin");
+  rosspin::Ticking::leave_loops();
+  std::vector<std::thread> threads;
+  while (threads.size() + 1 < threads_)
+    threads.emplace_back([this] { run(); });
+  run();
+  for (std::thread& each : threads)
+    each.join();
+}
+
+void MultiThreadedExecutor::run()
+{
+  while (goes_on())
+  {
+    auto callable = take();
+    if (!callable)
+      continue;
+    auto group = callable->group.lock();
+    callable->call_back();
+    if (group)
+      group->can_be_taken_from() = true;
+    rosspin::stir();
+  }
+}
+
+// One thread at a time waits for calls; those of a group in which one is made already come later.
+std::shared_ptr<detail::Callable> MultiThreadedExecutor::take()
+{
+  std::lock_guard<std::mutex> lock(mutex_);
+  auto is_free = [](const auto& callable) { return callable->is_free(); };
+  auto found = std::find_if(taken_.begin(), taken_.end(), is_free);
+  if (found == taken_.end())
+  {
+    wait_for_work(-1);
+    found = taken_.begin();
+  }
+  if (found == taken_.end() || !goes_on())
+    return nullptr;
+  auto callable = *found;
+  taken_.erase(found);
+  if (auto group = callable->group.lock(); group && group->type() == CallbackGroupType::MutuallyExclusive)
+    group->can_be_taken_from() = false;
+  return callable;
 }
 }  // namespace executors
 

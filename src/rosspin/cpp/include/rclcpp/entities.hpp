@@ -18,6 +18,8 @@
 
 namespace rclcpp
 {
+class CallbackGroup;
+
 namespace detail
 {
 // Something that may have a call to make. The order of the kinds is that in which executors call them.
@@ -37,11 +39,15 @@ public:
   virtual bool is_due() const = 0;
   virtual std::int64_t due() const = 0;
   virtual void call_back() = 0;
+  // Whether its group lets it be called now.
+  bool is_free() const;
   const Kind kind;
+  std::weak_ptr<CallbackGroup> group;
 };
 
-// Grows whenever executors have to look again at what belongs to nodes.
+// Grows whenever executors have to look again at what belongs to nodes, which is when that has changed.
 extern std::uint64_t changes;
+void changed();
 }  // namespace detail
 
 enum class CallbackGroupType
@@ -55,7 +61,7 @@ namespace node_interfaces
 class NodeBaseInterface;
 }
 
-class CallbackGroup
+class CallbackGroup : public std::enable_shared_from_this<CallbackGroup>
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(CallbackGroup)

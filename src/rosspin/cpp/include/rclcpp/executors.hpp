@@ -3,6 +3,7 @@
 #define ROSSPIN_RCLCPP_EXECUTORS_HPP
 
 #include <future>
+#include <mutex>
 
 #include "rclcpp/node.hpp"
 
@@ -80,7 +81,11 @@ public:
     return spin_until([&future] { return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready; },
         std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
   }
-  virtual void cancel() { spinning_ = false; }
+  virtual void cancel()
+  {
+    spinning_ = false;
+    rosspin::stir();
+  }
   bool is_spinning() const { return spinning_; }
 
 protected:
@@ -90,7 +95,6 @@ protected:
   // Make the next of the calls that were taken; return false if none is left.
   bool call_next();
   bool goes_on() const;
-  virtual void called(const detail::Callable&, std::int64_t) {}
   FutureReturnCode spin_until(const std::function<bool()>& is_ready, std::chrono::nanoseconds timeout);
   void spin_some(std::chrono::nanoseconds max_duration, bool exhaustive);
   bool needs_collecting() const { return seen_ != detail::changes; }
@@ -101,12 +105,12 @@ protected:
   Context::SharedPtr context_;
   bool spinning_ = false, statically_ = false;
   std::vector<std::weak_ptr<detail::Callable>> known_;  // in the order in which they are looked at
+  std::deque<std::shared_ptr<detail::Callable>> taken_;
 
 private:
   std::vector<std::weak_ptr<node_interfaces::NodeBaseInterface>> nodes_;
   std::vector<CallbackGroup::WeakPtr> groups_;  // those that were added by themselves
   std::uint64_t seen_ = 0;
-  std::deque<std::shared_ptr<detail::Callable>> taken_;
 };
 
 namespace executors
@@ -131,23 +135,24 @@ public:
   }
 };
 
-// One thread makes all calls: as long as none takes time while another is due, that is what several do.
-class MultiThreadedExecutor : public SingleThreadedExecutor
+// Without a number of threads there are 4, not as many as there are processors.
+class MultiThreadedExecutor : public Executor
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(MultiThreadedExecutor)
   explicit MultiThreadedExecutor(const ExecutorOptions& options = ExecutorOptions(), std::size_t threads = 0,
       bool yield_before_execute = false, std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1))
-    : SingleThreadedExecutor(options), threads_(threads ? threads : 2)
+    : Executor(options), threads_(threads ? threads : 4)
   {
   }
   std::size_t get_number_of_threads() const { return threads_; }
-
-protected:
-  void called(const detail::Callable& callable, std::int64_t begun) override;
+  void spin() override;
 
 private:
+  void run();
+  std::shared_ptr<detail::Callable> take();
   std::size_t threads_;
+  std::mutex mutex_;
 };
 
 template<class Future, class Rep = std::int64_t, class Period = std::milli>

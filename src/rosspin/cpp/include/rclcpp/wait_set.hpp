@@ -23,7 +23,11 @@ public:
   explicit GuardCondition(Context::SharedPtr context = contexts::get_global_default_context());
   RCLCPP_DISABLE_COPY(GuardCondition)
   Context::SharedPtr get_context() const { return context_; }
-  void trigger() { triggered_ = true; }
+  void trigger()
+  {
+    triggered_ = true;
+    rosspin::stir();
+  }
 
   // What follows is not rclcpp's.
   bool take() { return std::exchange(triggered_, false); }
