@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -81,6 +82,17 @@ def test_it_fits(opened: Page) -> None:
     seen += _seen(opened, TOO_WIDE, FAINT, SMALL)
     opened.set_viewport_size({"width": 320, "height": 256})  # 1280 px by 1024 px at a zoom of 400 %
     assert seen + _seen(opened, TOO_WIDE) == []
+
+
+# What is looked up, and slides, of which one is seen at a time.
+LONG = re.compile(r"docs/(reference/|slides/|(ros2/)?how-timing-works)|genindex")
+
+
+@pytest.mark.shares(5)
+@pytest.mark.parametrize("name", [name for name in NAMES if not LONG.match(name)])
+def test_it_is_at_most_six_screens_long(opened: Page) -> None:
+    opened.set_viewport_size({"width": 1280, "height": 800})
+    assert opened.evaluate("document.documentElement.scrollHeight") <= 6 * 800
 
 
 @pytest.mark.shares(5)
