@@ -63,6 +63,16 @@ def test_without_a_change_nothing_is_read_or_written(pages: Path) -> None:
     assert touched(build(pages, "html")) == (set(), set())
 
 
+def test_a_label_may_move_from_a_page_to_one_that_is_read_before(pages: Path) -> None:
+    label = "\n.. _moves:\n\nIt moves\n--------\n"
+    facts, first = pages / "notebooks/facts.rst", pages / "index.rst"
+    facts.write_text(facts.read_text() + label)
+    assert not build(pages, "html").stderr
+    facts.write_text(facts.read_text().replace(label, ""))
+    first.write_text(first.read_text() + label)
+    assert not build(pages, "html").stderr
+
+
 def test_a_sentence_changes_its_page(pages: Path) -> None:
     change(pages / "notebooks/facts.rst", "It is", "It was")
     read, written = touched(build(pages, "html"))

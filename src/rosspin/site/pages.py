@@ -594,6 +594,13 @@ def keep_units(app: Sphinx, page: nodes.document) -> None:
             before = child.astext()[-1:]
 
 
+def forget(app: Sphinx, env: BuildEnvironment, pages: list[str]) -> None:
+    """Forget all pages that are read again before the first one is: a label may have moved from one to another."""
+    for name in pages:
+        app.emit("env-purge-doc", env, name)
+        env.clear_doc(name)
+
+
 def setup(app: Sphinx) -> ExtensionMetadata:
     """Add the directives and the role above, the checks, and the highlighting of notebook cells."""
     app.add_directive("ticks", TicksDirective)
@@ -613,6 +620,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_role("fact", FactRole())
     app.add_lexer("ipython3", CellLexer)
     app.connect("env-get-outdated", moved)
+    app.connect("env-before-read-docs", forget)
     app.connect("source-read", offer_download)
     app.connect("doctree-read", name_terms)
     app.connect("doctree-read", keep_units)
