@@ -84,7 +84,7 @@ for (const name of existsSync(lessons) ? readdirSync(lessons).sort() : []) {
 for (const name of Object.keys(files).filter((name) => name.startsWith("rosspin/exercises/own/"))) {
   let text = files[name].toString().replace(/^(SOLUTION|RIGHT) = [^]*$/m, "RIGHT = WRONG = ()\n")
   text = text.replace(/^TEXT = ("""|''')[^]*?\1$/m, "").replace(/^REVEALS = (".*"|\([^]*?^\))$/m, "")
-  files[name] = Buffer.from(/^HINT = /m.test(text) ? text.replace(/^HINTS = \[[^]*?^\]$/m, "HINTS = ()") : text)
+  files[name] = Buffer.from(/^HINT = /m.test(text) ? text.replace(/^(HINTS\w*) = \[[^]*?\]$/gm, "$1 = ()") : text)
 }
 writeFileSync(path.join(out, "rosspin.zip"), zipSync(files, { level: 9, mtime: new Date(1980, 0) }))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from answers import IN_CPP
+from answers import IN_CPP, NOTEBOOKS
 
 from rosspin.exercises import check, judge, trace
 from rosspin.exercises.own import Answer
@@ -13,7 +13,9 @@ NAMES = list(IN_CPP)
 
 def test_so_many_are_offered_in_both_languages() -> None:
     both = [lesson.exercise for lesson in IN_CPP.values() if len(lesson.exercise.languages) == 2]
-    assert [sum(exercise.ros == ros for exercise in both) for ros in (1, 2)] == [0, 1]
+    assert [sum(exercise.ros == ros for exercise in both) for ros in (1, 2)] == [5, 6]
+    for ros, words in (1, "Five exercises are in C++, too"), (2, "Six exercises are in C++, too"):
+        assert words in NOTEBOOKS[ros].read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -54,7 +56,7 @@ def test_no_hint_speaks_of_python(name: str) -> None:
     for answer, *_ in lesson.wrong:
         said.append(str(check(name, lesson.written(answer))))
     for text in said:
-        assert not [word for word in ("self.", "rclpy", "rospy", "__init__", "Python", "None", "def ") if word in text]
+        assert not [word for word in ("`self.", "rclpy", "rospy", "__init__", "Python", "None", "def ") if word in text]
 
 
 def test_an_exercise_takes_answers_in_its_own_languages() -> None:

@@ -86,9 +86,8 @@ const NOT_LOADED = "The compiler could not be loaded. Is the site still there?"
  * @param {(message: Told) => void} hear
  */
 async function compileFor({ source, filename, ros }, hear) {
-  const sandbox = await startCompiler(ros, hear)
-  const before = compiling
-  const result = before.then(() => {
+  const result = compiling.then(async () => {
+    const sandbox = await startCompiler(ros, hear) // which ends one for another ROS
     hear({ kind: "doing", said: "compiling", share: -1 })
     return compile(sandbox, source.replace(/^%%.*/, ""), filename) // the first line of an answer is none of it
   })

@@ -77,11 +77,12 @@ def that_stopped(
     log = world.recording.log
     left = {numbers[source] for source, *_ in log.coming if source in numbers} if log is not None else set()
     known = world.interrupted and not world.exit_status
-    loggers = {line.timer: found[1] for line in reversed(printed) if (found := _LOGGER.match(line.text))}
+    loggers = {line.timer: found[1] for line in reversed(printed) if line.timer and (found := _LOGGER.match(line.text))}
+    usual = next(iter(loggers.values()), "")  # of those that print in another way
     return tuple(
         timer._replace(
             state="stopped" if known and not timer.is_endless and timer.number not in left else timer.state,
-            node="/" + loggers[timer.number].replace(".", "/") if timer.number in loggers else "",
+            node="/" + loggers.get(timer.number, usual).replace(".", "/"),
         )
         for timer in timers
     )

@@ -213,8 +213,12 @@ def unless_regular(hint: str) -> Hint:
 
 
 @_check
-def stops(seen: Seen, when: str, calls: int, timer: str = "a `rospy.Timer`") -> Finding | None:
-    """Whether the timers that printed the counters stopped after so many calls. ``timer`` says what a timer is."""
+def stops(seen: Seen, when: str, calls: int, timer: str = "") -> Finding | None:
+    """Whether the timers that printed the counters stopped after so many calls. ``timer`` says what a timer is.
+
+    Else it is one of ROS 1.
+    """
+    timer = timer or f"a `{'ros::Timer' if seen.language == 'cpp' else 'rospy.Timer'}`"
     counters = seen.counters()
     if not counters:
         return None
@@ -385,7 +389,7 @@ _EVERY = "Five times a second is once in 1 / 5 s. That is the period, which a ti
 _SAME = "Both ends of a topic have to name the same type: otherwise they do not connect."
 _ONCE = (
     "A publisher that was made just now is not connected to any other process yet. Make it once, before the timer "
-    "is made, and keep it: `self.publisher = ...` in `__init__`."
+    "is made, and keep it where the callback finds it."
 )
 
 
@@ -403,7 +407,7 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
         return
     counters = [Printed(message.time, message.data) for message in sent]
     if all(counter.text == "0" for counter in counters):
-        unfilled = "A new message holds 0. Give it the counter: `UInt32(data=self.counter)`."
+        unfilled = "A new message holds 0. Its field `data` is where the counter goes."
         yield Finding(False, "on `/counter`: each message holds 0, not a counter.", unfilled)
         return
     on_topic = on_time(counters, wanted, "On `/counter`", for_times(counters, wanted, _EVERY), told="publish")

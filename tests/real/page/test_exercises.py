@@ -103,7 +103,7 @@ def test_links_to_the_list_lead_to_the_exercise(page: Page, address: str) -> Non
 
 def test_hints_are_asked_for_one_at_a_time(opened: Page, address: str) -> None:
     open_exercise(opened, address, "fire-once")
-    hints = opened.locator("details:has(> summary:text('Hint'))")
+    hints = opened.locator(".sd-tab-content:visible details:has(> summary:text('Hint'))")
     assert hints.count() >= 3
     for number in range(hints.count()):
         assert [hint.is_visible() for hint in hints.all()] == [place <= number for place in range(hints.count())]

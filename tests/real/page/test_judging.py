@@ -8,7 +8,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from answers import CELLS, answer_in, number_of
+from answers import CELLS, IN_CPP, answer_in, number_of
 from hand_ins import ENDLESS, EXERCISES, HTML, RIGHT, WRONG, Table, handed_in, impatient
 from listings_in_page import have_workers
 from looks import FAINT, SCHEMES, TOO_WIDE, look
@@ -54,6 +54,29 @@ def test_right_wrong_and_forged(table: Table) -> None:
     assert table.rows.locator("td:nth-child(2)").all_text_contents() == ["2 of 4", "0 of 2", "0 of 1", "0 of 3"]
     expect(table.status).to_have_text("Done: 8 judged, 2 not judged")
     have_workers(table.page, 1)  # in which hand-ins are read
+
+
+def test_answers_in_cpp(table: Table) -> None:
+    """They are compiled in the page, which says before how much it loads."""
+    ten, made = number_of("ten-hertz"), number_of("make-it-10-hz")
+    right, other = IN_CPP["ten-hertz"], IN_CPP["make-it-10-hz"]
+    broken = other.written({"counter_++;": "counter_++"})
+    stolen = f'#include "/etc/passwd"\n{other.changed}'
+    table.drop(
+        ada=handed_in("Ada", answers={"ten-hertz": f"%%answer ten-hertz\n{right.changed}", "make-it-10-hz": broken}),
+        ben=handed_in("Ben", id="b", answers={"ten-hertz": right.node, "make-it-10-hz": other.changed}),
+        eve=handed_in("Eve", id="e", answers={"make-it-10-hz": stolen, "slow-timer": right.node}),
+    )
+    expect(table.page.get_by_role("alert")).to_contain_text("loads clang once: about 40 MB")
+    table.done()
+    for title in (f"Ada, exercise {ten}: solved", f"Ben, exercise {made}: solved"):
+        expect(table.sign(title)).to_be_visible()
+    said = table.said(f"Ada, exercise {made}: not yet")
+    assert "error: expected ';'" in said and "A ; is missing" in said
+    assert "Counter 1 came at 0.5 s, not at 0.1 s." in table.said(f"Ben, exercise {ten}: not yet")
+    assert "'/etc/passwd' file not found" in table.said(f"Eve, exercise {made}: not yet")
+    said = table.said(f"Eve, exercise {number_of('slow-timer')}: not yet")
+    assert "This exercise takes an answer in Python." in said
 
 
 def test_an_answer_that_never_ends_is_ended(context: BrowserContext, table: Table, address: str, site: Path) -> None:

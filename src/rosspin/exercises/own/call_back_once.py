@@ -51,13 +51,63 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "rclcpp/rclcpp.hpp"
+
+using namespace std::chrono_literals;
+
+class SpinnerCppNode : public rclcpp::Node
+{
+public:
+  SpinnerCppNode() : Node("spinner_cpp_node")
+  {
+    timer_ = create_wall_timer(1500ms, [this] { timerCallback(); });
+    heartbeat_ = create_wall_timer(1s, [this] { heartbeatCallback(); });
+  }
+
+private:
+  void timerCallback()
+  {
+    counter_++;
+    RCLCPP_INFO_STREAM(get_logger(), "[SPINNER CPP NODE] counter = " << counter_);
+  }
+
+  void heartbeatCallback()
+  {
+    beats_++;
+    RCLCPP_INFO_STREAM(get_logger(), "[HEARTBEAT] counter = " << beats_);
+  }
+
+  unsigned int counter_ = 0;
+  unsigned int beats_ = 0;
+  rclcpp::TimerBase::SharedPtr timer_;
+  rclcpp::TimerBase::SharedPtr heartbeat_;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<SpinnerCppNode>());
+  return 0;
+}
+"""
+
 HINTS = [
     "`create_timer` returns the timer. Keep it.",
     "A timer has a method `cancel()`.",
     "Call `self.timer.cancel()` in the callback.",
 ]
+HINTS_CPP = [
+    "Which variable stands for the timer?",
+    "A timer has a method `cancel()`.",
+    "Call `timer_->cancel()` in the callback.",
+]
 _STOPS_ALL = "Stop one timer, and no more: what ends the node, or keeps its callback from returning, stops them all."
 HINT = "Keep the timer in `self.timer`, and call its `cancel()` in the callback."
+HINT_CPP = "Call the `cancel()` of the timer in its callback: `timer_->cancel()`."
 
 check = by.run(
     6.0,
@@ -153,5 +203,75 @@ WRONG = [
         },
         "counter 1 came at 0.5 s, not at 1.5 s",
         "Stop the timer itself",
+    ),
+]
+
+COUNTS_CPP = "    counter_++;\n"
+
+SOLUTION_CPP = {COUNTS_CPP: f"    timer_->cancel();\n{COUNTS_CPP}"}
+
+RIGHT_CPP = [
+    {"timer_->cancel();": "timer_.reset();"},
+    {"timer_->cancel();": "if (counter_ == 0)\n      timer_->cancel();"},
+    {
+        "[this] { timerCallback(); }": "[this](rclcpp::TimerBase& timer) { timerCallback(); timer.cancel(); }",
+        "    timer_->cancel();\n": "",
+    },
+    {
+        "create_wall_timer(1500ms, [this] { timerCallback(); })": "create_timer(1.5s, "
+        "std::bind(&SpinnerCppNode::timerCallback, this))"
+    },
+]
+WRONG_CPP = [
+    (
+        {"timer_->cancel();": "if (counter_ > 0)\n      return;"},
+        "the callback was called 4 times in 6 s, where 1 would do",
+        "Stop the timer itself.",
+    ),
+    (
+        {"timer_->cancel();": ""},
+        "counter 2 came at 3 s; it should not have come",
+        "Call the `cancel()` of the timer in its callback:",
+    ),
+    (
+        {"timer_->cancel();": "rclcpp::shutdown();"},
+        "The heartbeat: counter 2, due at 2 s, did not come",
+        "Stop one timer, and no more",
+    ),
+    (
+        {"timer_->cancel();": "heartbeat_->cancel();"},
+        "counter 2 came at 3 s",
+        "Stop one timer, and no more: what ends the node, or keeps its",
+    ),
+    (
+        {"timer_->cancel();": "timer_->cancel();\n    heartbeat_->cancel();"},
+        "The heartbeat: counter 2",
+        "Stop one timer, and no more",
+    ),
+    (
+        {COUNTS_CPP: COUNTS_CPP, "timer_->cancel();": "std::exit(0);"},
+        "no counter was printed",
+        "Stop one timer, and no more: what ends the node, or keeps its",
+    ),
+    (
+        {"    timer_->cancel();\n": "", "    heartbeat_ = ": "    timer_->cancel();\n    heartbeat_ = "},
+        "no counter was printed",
+        "was stopped before its first call",
+    ),
+    (
+        {"timer_->cancel();": "timer_->stop();"},
+        "does not compile: `no member named 'stop'",
+        "Nothing ran. Begin with the compiler's first error: others may",
+    ),
+    (
+        {"timer_->cancel();": "timer_.cancel();"},
+        "does not compile",
+        "Nothing ran. Begin with the compiler's first error: others may",
+    ),
+    ({"1500ms": "500ms"}, "counter 1 came at 0.5 s, not at 1.5 s", "Call the `cancel()` of the timer in its callback:"),
+    (
+        {"timer_->cancel();": "while (rclcpp::ok() && counter_ > 0)\n      rclcpp::sleep_for(100ms);"},
+        "counter 2 came at 6 s; it should not have come.",
+        "Stop one timer, and no more: what ends the node, or keeps its",
     ),
 ]

@@ -35,12 +35,52 @@ if __name__ == '__main__':
     rospy.spin()
 """
 
+NODE_CPP = """
+#include "ros/ros.h"
+
+class SpinnerCppNode
+{
+public:
+  SpinnerCppNode()
+  {
+    double timer_delta_t_in_seconds = 0.5;
+    timer_ = nh_.createTimer(
+        ros::Duration(timer_delta_t_in_seconds), &SpinnerCppNode::timerCallback, this);
+  }
+
+private:
+  void timerCallback(const ros::TimerEvent&)
+  {
+    counter_++;
+    ROS_INFO_STREAM("[SPINNER CPP NODE] counter = " << counter_);
+  }
+
+  ros::NodeHandle nh_;
+  ros::Timer timer_;
+  unsigned int counter_ = 0;
+};
+
+int main(int argc, char* argv[])
+{
+  ros::init(argc, argv, "spinner_cpp_node");
+  SpinnerCppNode spinner_cpp_node;
+  ros::spin();
+  return 0;
+}
+"""
+
 HINTS = [
     "It is not enough that the callback does nothing: its timer still runs.",
     "`rospy.Timer` has a third parameter, `False` in the tutorial's timer node. What is it called?",
     "With `oneshot=True` there is one call, one period after the start.",
 ]
+HINTS_CPP = [
+    "It is not enough that the callback does nothing: its timer still runs.",
+    "`createTimer` has more parameters than these three. What is the fourth called?",
+    "With `true` as its fourth argument, `oneshot`, there is one call, one period after the start.",
+]
 HINT = "`rospy.Timer` has a parameter `oneshot`; its period is then the time until the only call."
+HINT_CPP = "`createTimer` has a parameter `oneshot`; its period is then the time until the only call."
 
 check = by.run(5.0, by.ticks(at=[1.5]), by.stops(1))
 
@@ -107,4 +147,49 @@ WRONG = [
         "not printed by the callback of a `rospy.Timer`",
         "Use a timer",
     ),
+]
+
+SOLUTION_CPP = {"0.5": "1.5", ", this);": ", this, true);"}
+
+RIGHT_CPP = [
+    {", this, true);": ", this);", "    counter_++;\n": "    timer_.stop();\n    counter_++;\n"},
+    {", this, true);": ", this);", "    counter_++;\n": "    counter_++;\n    timer_ = ros::Timer();\n"},
+    {"1.5": "3 / 2.0"},
+    {", this, true);": ", this, true, false);\n    timer_.start();"},
+]
+WRONG_CPP = [
+    (
+        {", this, true);": ", this);"},
+        "counter 2 came at 3 s; it should not have come",
+        "`createTimer` has a parameter `oneshot`; its period is then the",
+    ),
+    (
+        {", this, true);": ", this);", "    counter_++;\n": "    if (counter_ > 0)\n      return;\n    counter_++;\n"},
+        "the callback was called 3 times in 5 s, where 1 would do",
+        "A callback that returns immediately is still called. Stop the",
+    ),
+    (
+        {"1.5": "0.5"},
+        "counter 1 came at 0.5 s, not at 1.5 s",
+        "`createTimer` has a parameter `oneshot`; its period is then the",
+    ),
+    (
+        {", this, true);": ", this, true, false);"},
+        "no counter was printed",
+        "What should call the callback?",
+    ),
+    (
+        {", this, true);": ", this, oneshot=true);"},
+        "does not compile",
+        "Nothing ran. Begin with the compiler's first error: others may",
+    ),
+    (
+        {
+            ", this, true);": ", this);",
+            "    counter_++;\n": "    counter_++;\n    timer_.setPeriod(ros::Duration(100));\n",
+        },
+        "the timer still runs",
+        "Stop the timer itself",
+    ),
+    ({"timer_ = nh_": "ros::Timer timer = nh_"}, "no counter was printed", "was stopped before its first call"),
 ]

@@ -59,13 +59,67 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/u_int32.hpp"
+
+using namespace std::chrono_literals;
+
+class RobotCppNode : public rclcpp::Node
+{
+public:
+  RobotCppNode() : Node("robot_cpp_node")
+  {
+    // The sensor, which should stay as it is
+    publisher_ = create_publisher<std_msgs::msg::UInt32>("position", rclcpp::SensorDataQoS());
+    timer_ = create_wall_timer(500ms, [this] { sensorCallback(); });
+    // The controller
+    subscription_ = create_subscription<std_msgs::msg::UInt32>("position", 10,
+        [this](const std_msgs::msg::UInt32& message) { positionCallback(message); });
+  }
+
+private:
+  void sensorCallback()
+  {
+    position_.data++;
+    publisher_->publish(position_);
+  }
+
+  void positionCallback(const std_msgs::msg::UInt32& message)
+  {
+    RCLCPP_INFO_STREAM(get_logger(), "[CONTROLLER] position = " << message.data);
+  }
+
+  std_msgs::msg::UInt32 position_;
+  rclcpp::Publisher<std_msgs::msg::UInt32>::SharedPtr publisher_;
+  rclcpp::Subscription<std_msgs::msg::UInt32>::SharedPtr subscription_;
+  rclcpp::TimerBase::SharedPtr timer_;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<RobotCppNode>());
+  return 0;
+}
+"""
+
 HINTS = [
     "Run the cell and read the warnings. What does the last word of each name?",
     "A subscription with `10` asks for reliable messages. Does `qos_profile_sensor_data` offer them?",
     "If a publisher offers less than a subscription asks for, they do not connect. Ask for no more "
     "than the sensor offers.",
 ]
+HINTS_CPP = [
+    "Run the cell and read the warnings. What does the last word of each name?",
+    "A subscription with `10` asks for reliable messages. Does `rclcpp::SensorDataQoS()` offer them?",
+    HINTS[2],
+]
 HINT = "The warnings name the policy that does not match. The subscription asks for more than the sensor offers."
+HINT_CPP = HINT
 
 
 def _hears_all(seen: Seen, when: str) -> Finding:
@@ -217,5 +271,78 @@ WRONG = [
         {"        self.publisher.publish": "        # self.publisher.publish"},
         "The sensor: no position was printed",
         STAYS,
+    ),
+]
+
+HEARS_CPP = '_subscription<std_msgs::msg::UInt32>("position", rclcpp::SensorDataQoS(),'
+GIVEN_CPP = '_subscription<std_msgs::msg::UInt32>("position", 10,'
+SENDS_CPP = "    publisher_->publish(position_);\n"
+
+SOLUTION_CPP = {GIVEN_CPP: HEARS_CPP}
+
+RIGHT_CPP = [
+    {HEARS_CPP: HEARS_CPP.replace("rclcpp::SensorDataQoS()", "rclcpp::QoS(10).best_effort()")},
+    {HEARS_CPP: HEARS_CPP.replace("rclcpp::SensorDataQoS()", "rclcpp::BestAvailableQoS()")},
+    {
+        HEARS_CPP: HEARS_CPP.replace(
+            "rclcpp::SensorDataQoS()",
+            "rclcpp::QoS(rclcpp::KeepLast(1)).reliability(rclcpp::ReliabilityPolicy::BestEffort)",
+        )
+    },
+    {
+        "[this](const std_msgs::msg::UInt32& message)": "[this](std_msgs::msg::UInt32::ConstSharedPtr given)",
+        "positionCallback(message); }": "positionCallback(*given); }",
+    },
+]
+WRONG_CPP = [
+    (
+        {HEARS_CPP: GIVEN_CPP},
+        "the controller: a subscription with reliable, volatile, depth 10 does not match",
+        RELIABLE,
+    ),
+    (
+        {HEARS_CPP: GIVEN_CPP.replace("10", "1")},
+        "the controller: a subscription with reliable, volatile, depth 1 does",
+        RELIABLE,
+    ),
+    (
+        {
+            '"position", rclcpp::SensorDataQoS());': '"position", 10);',
+            HEARS_CPP: GIVEN_CPP,
+        },
+        "the sensor: its publisher now has reliable, volatile, depth 10",
+        STAYS,
+    ),
+    (
+        {HEARS_CPP: HEARS_CPP.replace("SensorDataQoS()", "SensorDataQoS().transient_local()")},
+        "best_effort, transient_local, depth 5 does not match",
+        "The sensor keeps none",
+    ),
+    (
+        {HEARS_CPP: GIVEN_CPP, SENDS_CPP: SENDS_CPP + "    positionCallback(position_);\n"},
+        "a subscription with reliable, volatile, depth 10 does not match",
+        RELIABLE,
+    ),
+    (
+        {"{ positionCallback(message); }": "{}", SENDS_CPP: SENDS_CPP + "    positionCallback(position_);\n"},
+        "The controller: its lines were printed in a call of a timer",
+        "A topic carries the message",
+    ),
+    (
+        {HEARS_CPP: HEARS_CPP.replace('"position"', '"positions"')},
+        "the controller: nothing subscribes to `/position`: it subscribes to `/",
+        "letter by letter",
+    ),
+    (
+        {"    // The controller\n": "    positionCallback(position_);\n"},
+        "The controller: position 0 was not printed by the callback of its subscription",
+        "Leave that to it.",
+    ),
+    ({"500ms": "1s"}, "The sensor: position 1 came at 1 s, not at 0.5 s", STAYS),
+    ({SENDS_CPP: ""}, "The sensor: no position was printed", STAYS),
+    (
+        {"    subscription_ = ": "    auto subscription_ = "},
+        "The controller: no position was printed.",
+        "The subscription's callback should print `[CONTROLLER] position",
     ),
 ]

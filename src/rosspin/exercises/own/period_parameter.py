@@ -53,6 +53,43 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "rclcpp/rclcpp.hpp"
+
+using namespace std::chrono_literals;
+
+class SpinnerCppNode : public rclcpp::Node
+{
+public:
+  SpinnerCppNode() : Node("spinner_cpp_node")
+  {
+    double period = 0.5;
+    timer_ = create_wall_timer(
+        std::chrono::duration<double>(period), [this] { timerCallback(); });
+  }
+
+private:
+  void timerCallback()
+  {
+    counter_++;
+    RCLCPP_INFO_STREAM(get_logger(), "[SPINNER CPP NODE] counter = " << counter_);
+  }
+
+  unsigned int counter_ = 0;
+  rclcpp::TimerBase::SharedPtr timer_;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<SpinnerCppNode>());
+  return 0;
+}
+"""
+
 HINTS = [
     '`self.declare_parameter("name", 0.5)` declares a parameter with its default, and returns it. '
     "Its `.value` is what the command line says, or the default.",
@@ -60,13 +97,20 @@ HINTS = [
     "`self.get_logger().error(...)` logs an error. `sys.exit(1)` ends a program with status 1 and "
     "without a traceback, also from `__init__`.",
 ]
+HINTS_CPP = [
+    '`declare_parameter("name", 0.5)` declares a parameter with its default, and returns what the command line says, '
+    "or the default.",
+    "What does the timer do with a period of 0.0, and what with -1.0? Check the period before you make the timer.",
+    "`RCLCPP_ERROR` logs an error. `std::exit(1)` ends a program with status 1, also from a constructor.",
+]
 _IN_SECONDS = 'The parameter is called "period". Is it what the timer is given, in seconds?'
 HINT = "`self.declare_parameter(name, default).value` is a parameter's value. Look at it before you make the timer."
+HINT_CPP = "`declare_parameter(name, default)` returns the value of a parameter. Look at it before you make the timer."
 
 
 def _refuses(seen: Seen, when: str) -> Finding:
     """Whether a node has refused a parameter in words, with a status other than 0 and without a traceback."""
-    look = "Look at the period before you make the timer: write an error line, and end with `sys.exit(1)`."
+    look = "Look at the period before you make the timer: write an error line, and end with status 1."
     if counters := seen.counters():
         often = f"{len(counters)} time{'s' if len(counters) > 1 else ''} in {say(seen.seconds)}"
         if any(timer.is_endless for timer in seen.timers):
@@ -78,7 +122,7 @@ def _refuses(seen: Seen, when: str) -> Finding:
     if seen.interrupted:
         return Finding(False, f"{when}: the node kept running without ticking.", look)
     if not seen.status:
-        ends = "Whatever started the node learns from its status whether all is well: end it with `sys.exit(1)`."
+        ends = "Whatever started the node learns from its status whether all is well: end it with status 1."
         return Finding(False, f"{when}: the node ended with status 0, as if all were well.", ends)
     said = [line.text.strip() for line in seen.printed if "period" in line.text.lower()]
     if not said:
@@ -205,7 +249,7 @@ WRONG = [
     (
         {REFUSES: "        if period <= 0:\n            raise ValueError('period')\n"},
         "ValueError: period",
-        "end with `sys.exit(1)`",
+        "end with status 1",
     ),
     (
         {REFUSES: REFUSES.replace("sys.exit(1)", "sys.exit()")},
@@ -220,7 +264,7 @@ WRONG = [
     (
         {REFUSES: REFUSES.replace("sys.exit(1)", "return")},
         "the node kept running without ticking",
-        "end with `sys.exit(1)`",
+        "end with status 1",
     ),
     (
         {REFUSES: REFUSES.replace("sys.exit(1)", "period = 0.5")},
@@ -231,5 +275,79 @@ WRONG = [
         {PERIOD: PERIOD.replace("0.5", "1")},
         "Started with `--ros-args -p period:=0.1`",
         "keeps the type with which it was declared",
+    ),
+]
+
+CHECKS_CPP = (
+    "    if (period <= 0.0)\n    {\n"
+    '      RCLCPP_ERROR_STREAM(get_logger(), "The period has to be above 0 s, not " << period);\n'
+    "      std::exit(1);\n    }\n"
+)
+READS_CPP = '    double period = declare_parameter("period", 0.5);\n'
+
+SOLUTION_CPP = {"    double period = 0.5;\n": READS_CPP + CHECKS_CPP}
+
+RIGHT_CPP = [
+    {READS_CPP: '    declare_parameter("period", 0.5);\n    double period = get_parameter("period").as_double();\n'},
+    {READS_CPP: '    auto period = declare_parameter<double>("period", 0.5);\n'},
+    {
+        READS_CPP: '    double period = 0.0;\n    declare_parameter("period", 0.5);\n'
+        '    get_parameter("period", period);\n'
+    },
+    {"std::exit(1);": "rclcpp::shutdown();\n      std::exit(2);"},
+    {"period <= 0.0": "!(period > 1e-3)"},
+]
+WRONG_CPP = [
+    (
+        {CHECKS_CPP: ""},
+        "With `period:=0.0`: the node ticked anyway",
+        "A timer takes a period of 0, and then calls back without a",
+    ),
+    (
+        {READS_CPP: "    double period = 0.5;\n"},
+        "With `period:=0.1`: counter 1 came at 0.5 s",
+        'The parameter is called "period". Is it what the timer is',
+    ),
+    (
+        {'"period", 0.5': '"Period", 0.5'},
+        "With `period:=0.1`: counter 1 came at 0.5 s",
+        'The parameter is called "period"',
+    ),
+    (
+        {"period <= 0.0": "period < 0.0"},
+        "With `period:=0.0`: the node ticked anyway",
+        "A timer takes a period of 0, and then calls back without a",
+    ),
+    (
+        {"std::exit(1);": "std::exit(0);"},
+        "the node ended with status 0, as if all were well",
+        "Whatever started the node learns from its status whether all is",
+    ),
+    ({"std::exit(1);": "return;"}, "the node kept running without ticking", "Look at the period before"),
+    (
+        {"std::exit(1);": 'throw std::invalid_argument("period");'},
+        "With `period:=0.0`: the node stopped with `terminate",
+        "Look at the period before you make the timer: write an error",
+    ),
+    ({"The period has": "It has"}, "no line says that the period is wrong", "Look at the period before"),
+    (
+        {"duration<double>(period)": "duration<double>(1 / period)"},
+        "Without the parameter: counter 1 came at 2 s",
+        "A timer of the node has a period of 10 s, so that its first",
+    ),
+    (
+        {"0.5)": "1)"},
+        "Without the parameter: counter 1 came at 1 s, not at 0.5 s.",
+        "What threw this says in its own words what was wrong, and",
+    ),
+    (
+        {READS_CPP: '    declare_parameter("period", 0.5);\n    double period = get_parameter("period");\n'},
+        "does not compile",
+        "Nothing ran. Begin with the compiler's first error: others may",
+    ),
+    (
+        {READS_CPP: '    double period = get_parameter("period").as_double();\n'},
+        "The node stopped with `terminate called after throwing an",
+        "What threw this says in its own words what was wrong, and",
     ),
 ]

@@ -50,6 +50,49 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/u_int32.hpp"
+
+using namespace std::chrono_literals;
+
+class RobotCppNode : public rclcpp::Node
+{
+public:
+  RobotCppNode() : Node("robot_cpp_node")
+  {
+    subscription_ = create_subscription<std_msgs::msg::UInt32>("counter", 10,
+        [this](const std_msgs::msg::UInt32& message) { counterCallback(message); });
+    timer_ = create_wall_timer(500ms, [this] { timerCallback(); });
+  }
+
+private:
+  void timerCallback()
+  {
+    counter_++;
+  }
+
+  void counterCallback(const std_msgs::msg::UInt32& message)
+  {
+    RCLCPP_INFO_STREAM(get_logger(), "[LISTENER] counter = " << message.data);
+  }
+
+  unsigned int counter_ = 0;
+  rclcpp::Subscription<std_msgs::msg::UInt32>::SharedPtr subscription_;
+  rclcpp::TimerBase::SharedPtr timer_;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<RobotCppNode>());
+  return 0;
+}
+"""
+
 HINTS = [
     "Two things are missing: the publisher, and a line in the timer's callback that uses it. Where does each belong?",
     "`self.create_publisher` takes the type of the messages, the name of the topic, and how many "
@@ -57,7 +100,18 @@ HINTS = [
     "A number is not a message: `UInt32(data=self.counter)` is. And a new publisher is not "
     "connected to another process yet.",
 ]
+HINTS_CPP = [
+    "Two things are missing: the publisher, and lines in the timer's callback that use it. Where does each belong?",
+    "`create_publisher<Type>` is given the name of the topic, and how many messages may wait: 10. A member of the "
+    "class keeps what it returns.",
+    "A number is not a message: make a `std_msgs::msg::UInt32`, and set its `data`. And a new publisher is not "
+    "connected to another process yet.",
+]
 HINT = 'Make a `self.create_publisher(UInt32, "counter", 10)` in `__init__`, and publish in the callback.'
+HINT_CPP = (
+    'Make the publisher in the constructor, `create_publisher<std_msgs::msg::UInt32>("counter", 10)`, and publish in '
+    "the callback."
+)
 
 check = by.published_and_heard
 
@@ -186,5 +240,91 @@ WRONG = [
         {"        self.create_subscription": "        pass  # "},
         "The listener: no counter",
         "Nothing subscribes to `/counter` any more.",
+    ),
+]
+
+MAKES_CPP = '    publisher_ = create_publisher<std_msgs::msg::UInt32>("counter", 10);\n'
+PUBLISHES_CPP = "    std_msgs::msg::UInt32 message;\n    message.data = counter_;\n    publisher_->publish(message);\n"
+KEEPS_CPP = "  rclcpp::Publisher<std_msgs::msg::UInt32>::SharedPtr publisher_;\n"
+LISTENS_CPP = (
+    '    subscription_ = create_subscription<std_msgs::msg::UInt32>("counter", 10,\n'
+    "        [this](const std_msgs::msg::UInt32& message) { counterCallback(message); });\n"
+)
+
+SOLUTION_CPP = {
+    LISTENS_CPP: MAKES_CPP + LISTENS_CPP,
+    "500ms": "200ms",
+    "    counter_++;\n": "    counter_++;\n" + PUBLISHES_CPP,
+    "  rclcpp::TimerBase::SharedPtr timer_;\n": f"{KEEPS_CPP}  rclcpp::TimerBase::SharedPtr timer_;\n",
+}
+
+RIGHT_CPP = [
+    {
+        PUBLISHES_CPP: "    auto message = std::make_unique<std_msgs::msg::UInt32>();\n    message->data = counter_;\n"
+        "    publisher_->publish(std::move(message));\n"
+    },
+    {'Int32>("counter", 10);': 'Int32>("/counter", rclcpp::QoS(1));'},
+    {"200ms": "std::chrono::duration<double>(1 / 5.0)"},
+    {PUBLISHES_CPP: "    publisher_->publish(std_msgs::msg::UInt32().set__data(counter_));\n"},
+]
+WRONG_CPP = [
+    (
+        {MAKES_CPP: "", PUBLISHES_CPP: MAKES_CPP + PUBLISHES_CPP},
+        "the node made 10 publishers of `/counter`",
+        "Make it once, before the timer",
+    ),
+    (
+        {MAKES_CPP: "", PUBLISHES_CPP: f"    if (!publisher_)\n  {MAKES_CPP}{PUBLISHES_CPP}"},
+        "the publisher was made at 0.2 s",
+        "Make it once, before the timer",
+    ),
+    ({MAKES_CPP: ""}, "it has used a null pointer", "Something that the node uses there was not made yet, or has"),
+    (
+        {"    publisher_->publish(message);\n": ""},
+        "on `/counter`: the node published nothing",
+        "nothing publishes with it",
+    ),
+    (
+        {"    message.data = counter_;\n": ""},
+        "on `/counter`: each message holds 0, not a counter.",
+        "A new message holds 0.",
+    ),
+    ({'Int32>("counter", 10);': 'Int32>("count", 10);'}, "it was published on `/count`", "letter by letter"),
+    (
+        {'Int32>("counter", 10);': 'Int32>("~/counter", 10);'},
+        "it was published on `/robot_cpp_node/counter`",
+        "letter by letter",
+    ),
+    (
+        {"200ms": "500ms"},
+        "On `/counter`: counter 1 came at 0.5 s, not at 0.2 s",
+        "Five times a second is once in 1 / 5 s.",
+    ),
+    ({"200ms": "5s"}, "nothing was published on `/counter`", "Five times a second is once in 1 / 5 s."),
+    (
+        {'Int32>("counter", 10);': 'Int32>("counter", rclcpp::SensorDataQoS());'},
+        "The listener: no counter was printed",
+        "offers less than the listener asks for",
+    ),
+    (
+        {"    counter_++;\n" + PUBLISHES_CPP: PUBLISHES_CPP + "    counter_++;\n"},
+        "where counter 1 was due, counter 0 came",
+        "The first counter is 1:",
+    ),
+    (
+        {LISTENS_CPP: "", PUBLISHES_CPP: PUBLISHES_CPP + "    counterCallback(message);\n"},
+        "The listener: its lines were printed in a call of a timer",
+        "A topic carries the message",
+    ),
+    (
+        {"[LISTENER] counter": "[LISTENER] number"},
+        "The listener: no counter was printed",
+        "Leave the listener as it is",
+    ),
+    ({LISTENS_CPP: ""}, "The listener: no counter", "Nothing subscribes to `/counter` any more."),
+    (
+        {"publish(message)": "publish(counter_)"},
+        "does not compile",
+        "Nothing ran. Begin with the compiler's first error: others may",
     ),
 ]

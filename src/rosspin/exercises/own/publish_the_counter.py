@@ -43,13 +43,75 @@ if __name__ == '__main__':
     rospy.spin()
 """
 
+NODE_CPP = """
+#include "ros/ros.h"
+#include "std_msgs/UInt32.h"
+
+class Listener
+{
+public:
+  Listener()
+  {
+    subscriber_ = nh_.subscribe("counter", 10, &Listener::counterCallback, this);
+  }
+
+private:
+  void counterCallback(const std_msgs::UInt32& message)
+  {
+    ROS_INFO_STREAM("[LISTENER] counter = " << message.data);
+  }
+
+  ros::NodeHandle nh_;
+  ros::Subscriber subscriber_;
+};
+
+class PublisherCppNode
+{
+public:
+  PublisherCppNode()
+  {
+    timer_ = nh_.createTimer(ros::Duration(0.5), &PublisherCppNode::timerCallback, this);
+  }
+
+private:
+  void timerCallback(const ros::TimerEvent&)
+  {
+    counter_++;
+  }
+
+  ros::NodeHandle nh_;
+  ros::Timer timer_;
+  unsigned int counter_ = 0;
+};
+
+int main(int argc, char* argv[])
+{
+  ros::init(argc, argv, "publisher_cpp_node");
+  Listener listener;
+  PublisherCppNode publisher_cpp_node;
+  ros::spin();
+  return 0;
+}
+"""
+
 HINTS = [
     "The publisher is missing, and a line that uses it. Where does each belong?",
     "`rospy.Publisher` takes the name of the topic, the type of its messages, and a `queue_size`.",
     "A new publisher takes a moment to connect: the timer's callback is too late to make one.",
     "Five times a second: what is the period?",
 ]
+HINTS_CPP = [
+    "The publisher is missing, and lines that use it. Where does each belong?",
+    "`nh_.advertise<Type>` is given the name of the topic, and how many messages may wait. A member of the class keeps "
+    "what it returns, a `ros::Publisher`.",
+    "A new publisher takes a moment to connect to another process: the timer's callback is too late to make one.",
+    "Five times a second: what is the period?",
+]
 HINT = 'Make a `rospy.Publisher("counter", UInt32, queue_size=10)` in `__init__`, and let the callback publish.'
+HINT_CPP = (
+    'Make the publisher in the constructor, `nh_.advertise<std_msgs::UInt32>("counter", 10)`, and let the callback '
+    "publish."
+)
 
 check = by.published_and_heard
 
@@ -166,5 +228,54 @@ WRONG = [
         {"        rospy.Subscriber": "        pass  # "},
         "The listener: no counter",
         "Nothing subscribes to `/counter` any more.",
+    ),
+]
+
+TIMER_CPP = "    timer_ = nh_.createTimer(ros::Duration(0.5), &PublisherCppNode::timerCallback, this);\n"
+MAKES_CPP = '    publisher_ = nh_.advertise<std_msgs::UInt32>("counter", 10);\n'
+PUBLISHES_CPP = "    std_msgs::UInt32 message;\n    message.data = counter_;\n    publisher_.publish(message);\n"
+
+SOLUTION_CPP = {
+    TIMER_CPP: MAKES_CPP + TIMER_CPP.replace("0.5", "0.2"),
+    "    counter_++;\n": "    counter_++;\n" + PUBLISHES_CPP,
+    "  ros::Timer timer_;\n": "  ros::Publisher publisher_;\n  ros::Timer timer_;\n",
+}
+
+RIGHT_CPP = [
+    {'"counter", 10);\n    timer_': '"/counter", 1);\n    timer_'},
+    {"Duration(0.2)": "Duration(1 / 5.0)"},
+    {
+        PUBLISHES_CPP: "    boost::shared_ptr<std_msgs::UInt32> message(new std_msgs::UInt32);\n"
+        "    message->data = counter_;\n    publisher_.publish(message);\n"
+    },
+    {MAKES_CPP: MAKES_CPP.replace("10)", "10, true)")},
+]
+WRONG_CPP = [
+    (
+        {MAKES_CPP: "", PUBLISHES_CPP: MAKES_CPP + PUBLISHES_CPP},
+        "the publisher was made at 0.2 s, when its first message was",
+        "A publisher that was made just now is not connected to any",
+    ),
+    (
+        {MAKES_CPP: "", PUBLISHES_CPP: f"    if (!publisher_)\n  {MAKES_CPP}{PUBLISHES_CPP}"},
+        "the publisher was made at 0.2 s",
+        "Make it once, before the timer",
+    ),
+    (
+        {"    publisher_.publish(message);\n": ""},
+        "on `/counter`: the node published nothing",
+        "nothing publishes with it",
+    ),
+    ({"    message.data = counter_;\n": ""}, "on `/counter`: each message holds 0", "A new message holds 0."),
+    ({'"counter", 10);\n    timer_': '"count", 10);\n    timer_'}, "it was published on `/count`", "letter by letter"),
+    ({"Duration(0.2)": "Duration(0.5)"}, "On `/counter`: counter 1 came at 0.5 s, not at 0.2 s", "Five times a second"),
+    ({MAKES_CPP: ""}, "The node stopped with `abort()`.", "What threw this says in its own words what was wrong, and"),
+    (
+        {
+            "advertise<std_msgs::UInt32>": "advertise<std_msgs::String>",
+            '#include "std_msgs/UInt32.h"': '#include "std_msgs/String.h"\n#include "std_msgs/UInt32.h"',
+        },
+        "The node stopped with `abort()`.",
+        "What threw this says in its own words what was wrong, and",
     ),
 ]

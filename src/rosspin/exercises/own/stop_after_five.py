@@ -39,14 +39,61 @@ if __name__ == '__main__':
     rospy.spin()
 """
 
+NODE_CPP = """
+#include "ros/ros.h"
+
+class SpinnerCppNode
+{
+public:
+  SpinnerCppNode()
+  {
+    timer_ = nh_.createTimer(ros::Duration(0.5), &SpinnerCppNode::timerCallback, this);
+    heartbeat_ = nh_.createTimer(ros::Duration(1.0), &SpinnerCppNode::heartbeatCallback, this);
+  }
+
+private:
+  void timerCallback(const ros::TimerEvent&)
+  {
+    counter_++;
+    ROS_INFO_STREAM("[SPINNER CPP NODE] counter = " << counter_);
+  }
+
+  void heartbeatCallback(const ros::TimerEvent&)
+  {
+    beats_++;
+    ROS_INFO_STREAM("[HEARTBEAT] counter = " << beats_);
+  }
+
+  ros::NodeHandle nh_;
+  ros::Timer timer_;
+  ros::Timer heartbeat_;
+  unsigned int counter_ = 0;
+  unsigned int beats_ = 0;
+};
+
+int main(int argc, char* argv[])
+{
+  ros::init(argc, argv, "spinner_cpp_node");
+  SpinnerCppNode spinner_cpp_node;
+  ros::spin();
+  return 0;
+}
+"""
+
 HINTS = [
     "Returning early from the callback does not stop the timer.",
     "`rospy.Timer(...)` returns the timer. Keep it.",
     "A timer has a `shutdown()`, which its callback may call.",
 ]
+HINTS_CPP = [
+    "Returning early from the callback does not stop the timer.",
+    "Which variable stands for the timer?",
+    "A timer has a `stop()`, which its callback may call.",
+]
 HINT = "Keep the timer in `self.timer`, and call its `shutdown()` after counter 5."
+HINT_CPP = "Call `timer_.stop()` after counter 5."
 
-_ENDS_ALL = "Stop one timer, and no more: `rospy.signal_shutdown()` ends the whole node."
+_ENDS_ALL = "Stop one timer, and no more: what shuts the node down stops them all."
 
 check = by.run(6.0, by.ticks(0.5, until=2.5), by.ticks(1.0, "The heartbeat", "HEARTBEAT", _ENDS_ALL), by.stops(5))
 
@@ -90,7 +137,7 @@ RIGHT = [
 ]
 WRONG = [
     ({"== 5": "> 5"}, "counter 6 came at 3 s; it should not have come", "call its `shutdown()`"),
-    ({"self.timer.shutdown()": "rospy.signal_shutdown('five')"}, "The heartbeat: counter", "ends the whole node"),
+    ({"self.timer.shutdown()": "rospy.signal_shutdown('five')"}, "The heartbeat: counter", "stops them all"),
     (counts("if count == 5: return\n" + COUNT), "the callback was called 12 times in 6 s", "Stop the timer itself"),
     (counts(COUNT + "if count == 5: sys.exit()"), "its thread was ended", "ends the thread that the callback"),
     (counts(COUNT + "if count == 5: rospy.sleep(1e6)"), "had not returned in the end", "never returns"),
@@ -117,4 +164,49 @@ WRONG = [
         "never returns",
     ),
     ({"rospy.Timer(rospy.Duration(1.0), self.heartbeat)": "pass"}, "The heartbeat: no counter", "Stop one timer"),
+]
+
+SAYS_CPP = '    ROS_INFO_STREAM("[SPINNER CPP NODE] counter = " << counter_);\n'
+STOPS_CPP = "    if (counter_ == 5)\n      timer_.stop();\n"
+
+SOLUTION_CPP = {SAYS_CPP: SAYS_CPP + STOPS_CPP}
+
+RIGHT_CPP = [
+    {SAYS_CPP: "", STOPS_CPP: STOPS_CPP + SAYS_CPP},
+    {"timer_.stop();": "timer_ = ros::Timer();"},
+    {"counter_ == 5": "counter_ >= 5"},
+    {STOPS_CPP: "", "    counter_++;\n": f"    counter_++;\n{STOPS_CPP}"},
+]
+WRONG_CPP = [
+    ({STOPS_CPP: ""}, "counter 6 came at 3 s; it should not have come", "Call `timer_.stop()` after counter 5."),
+    (
+        {STOPS_CPP: "", "    counter_++;\n": "    if (counter_ == 5)\n      return;\n    counter_++;\n"},
+        "the callback was called 12 times in 6 s, where 5 would do",
+        "A callback that returns immediately is still called. Stop the",
+    ),
+    (
+        {"counter_ == 5": "counter_ == 4"},
+        "counter 5, due at 2.5 s, did not come",
+        "Call `timer_.stop()` after counter 5.",
+    ),
+    (
+        {"timer_.stop();": "ros::shutdown();"},
+        "The heartbeat: counter 3",
+        "Stop one timer, and no more: what shuts the node down stops",
+    ),
+    (
+        {"timer_.stop();": "heartbeat_.stop();"},
+        "counter 6 came at 3 s",
+        "Stop one timer, and no more: what shuts the node down stops",
+    ),
+    (
+        {"timer_.stop();": "timer_.shutdown();"},
+        "does not compile: `no member named 'shutdown'",
+        "Nothing ran. Begin with the compiler's first error: others may",
+    ),
+    (
+        {"timer_.stop();": "{ timer_.stop(); heartbeat_.stop(); }"},
+        "The heartbeat: counter 3",
+        "Stop one timer, and no more: what shuts the node down stops",
+    ),
 ]

@@ -35,12 +35,48 @@ if __name__ == '__main__':
     rospy.spin()
 """
 
+NODE_CPP = """
+#include "ros/ros.h"
+
+class SpinnerCppNode
+{
+public:
+  SpinnerCppNode()
+  {
+    double timer_delta_t_in_seconds = 0.5;
+    timer_ = nh_.createTimer(
+        ros::Duration(timer_delta_t_in_seconds), &SpinnerCppNode::timerCallback, this);
+  }
+
+private:
+  void timerCallback(const ros::TimerEvent&)
+  {
+    counter_++;
+    ROS_INFO_STREAM("[SPINNER CPP NODE] counter = " << counter_);
+  }
+
+  ros::NodeHandle nh_;
+  ros::Timer timer_;
+  unsigned int counter_ = 0;
+};
+
+int main(int argc, char* argv[])
+{
+  ros::init(argc, argv, "spinner_cpp_node");
+  SpinnerCppNode spinner_cpp_node;
+  ros::spin();
+  return 0;
+}
+"""
+
 HINTS = [
     "Which line says how often the callback is called?",
     "A timer is given a period, in seconds. What is the period of 10 Hz?",
     "The period is 1 / frequency.",
 ]
+HINTS_CPP = HINTS
 HINT = "A timer takes a period in seconds, not a frequency: the period is 1 / frequency."
+HINT_CPP = HINT
 
 check = by.run(1.0, by.ticks(0.1))
 
@@ -67,5 +103,50 @@ WRONG = [
         {"self.timerCallback)": "self.timerCallback, rate=10)"},
         "unexpected keyword argument 'rate'",
         "`rospy.Timer(rospy.Duration(0.5), self.callback)`:",
+    ),
+]
+
+SOLUTION_CPP = {"0.5": "0.1"}
+
+RIGHT_CPP = [
+    {"0.1": "1 / 10.0"},
+    {
+        "timer_ = nh_.createTimer(": "timer_ = nh_.createTimer(ros::Rate(10), "
+        "&SpinnerCppNode::timerCallback, this);\n    (void)(",
+        "&SpinnerCppNode::timerCallback, this);\n  }": "this);\n  }",
+    },
+    {
+        'ROS_INFO_STREAM("[SPINNER CPP NODE] counter = " << counter_)': 'ROS_INFO("[SPINNER CPP NODE] '
+        'counter = %u", counter_)'
+    },
+    {"&SpinnerCppNode::timerCallback, this": "[this](const ros::TimerEvent& event) { timerCallback(event); }"},
+    {"ros::Duration(timer_delta_t_in_seconds)": "ros::Duration(0, 100000000)"},
+]
+WRONG_CPP = [
+    ({"0.1": "10.0"}, "no counter was printed", NOT_A_FREQUENCY),
+    ({"0.1": "0.5"}, "counter 1 came at 0.5 s, not at 0.1 s", NOT_A_FREQUENCY),
+    (
+        {"0.1": "1 / 10"},
+        "The node has a timer whose period is 0 s: it is called without",
+        "In C++, `1 / 10` is 0, as both are whole numbers, and `1 /",
+    ),
+    ({"timer_ = nh_": "ros::Timer timer = nh_"}, "no counter was printed", "was stopped before its first call"),
+    ({"const ros::TimerEvent&": ""}, "does not compile", "The callback does not fit"),
+    ({"counter_++;": "counter_++"}, "does not compile: `expected ';'", "A ; is missing"),
+    ({"  ros::spin();\n": ""}, "no counter was printed", "Does its main part come to `ros::spin()`"),
+    (
+        {"counter_++;": "counter_ += 2;"},
+        "where counter 1 was due, counter 2 came",
+        "The counter goes up by 2 each time: add 1 in each call. If",
+    ),
+    (
+        {"[SPINNER CPP NODE]": "[SPINNER]"},
+        "no counter was printed",
+        "The lines should read `[SPINNER CPP NODE] counter = 1`",
+    ),
+    (
+        {", this);": ", this, true);"},
+        "counter 2, due at 0.2 s, did not come",
+        "It came once, and never again: what should call back the next",
     ),
 ]

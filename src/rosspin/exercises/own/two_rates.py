@@ -34,12 +34,46 @@ if __name__ == '__main__':
     rospy.spin()
 """
 
+NODE_CPP = """
+#include "ros/ros.h"
+
+class SpinnerCppNode
+{
+public:
+  SpinnerCppNode()
+  {
+    fast_timer_ = nh_.createTimer(ros::Duration(0.1), &SpinnerCppNode::fastCallback, this);
+  }
+
+private:
+  void fastCallback(const ros::TimerEvent&)
+  {
+    counter_++;
+    ROS_INFO_STREAM("[FAST] counter = " << counter_);
+  }
+
+  ros::NodeHandle nh_;
+  ros::Timer fast_timer_;
+  unsigned int counter_ = 0;
+};
+
+int main(int argc, char* argv[])
+{
+  ros::init(argc, argv, "spinner_cpp_node");
+  SpinnerCppNode spinner_cpp_node;
+  ros::spin();
+  return 0;
+}
+"""
+
 HINTS = [
     "A node can have as many timers as it likes.",
     "Each has a period and a callback of its own.",
     "And a counter of its own?",
 ]
+HINTS_CPP = [*HINTS, "Does a member of the class keep the new timer? It ends with the last `ros::Timer` for it."]
 HINT = "A node can have as many timers as it likes, each with its own period, callback and counter."
+HINT_CPP = HINT
 
 check = by.run(2.0, by.ticks(0.1, "`[FAST]`", "FAST"), by.ticks(0.5, "`[SLOW]`", "SLOW"))
 
@@ -143,4 +177,65 @@ WRONG = [
         "`[SLOW]`: counter 2 came at 1.1 s",
         "as many timers",
     ),
+]
+
+MADE_CPP = "    fast_timer_ = nh_.createTimer(ros::Duration(0.1), &SpinnerCppNode::fastCallback, this);\n"
+SLOW_CPP = "    slow_timer_ = nh_.createTimer(ros::Duration(0.5), &SpinnerCppNode::slowCallback, this);\n"
+SAYS_CPP = '    ROS_INFO_STREAM("[SLOW] counter = " << slow_counter_);\n'
+
+SOLUTION_CPP = {
+    MADE_CPP: MADE_CPP + SLOW_CPP,
+    "  ros::NodeHandle nh_;\n": "  void slowCallback(const ros::TimerEvent&)\n  {\n    slow_counter_++;\n"
+    f"{SAYS_CPP}  }}\n\n  ros::NodeHandle nh_;\n",
+    "fast_timer_;\n": "fast_timer_;\n  ros::Timer slow_timer_;\n",
+    "counter_ = 0;\n": "counter_ = 0;\n  unsigned int slow_counter_ = 0;\n",
+}
+
+RIGHT_CPP = [
+    {"Duration(0.5)": "Duration(1 / 2.0)"},
+    {"createTimer(ros::Duration(0.5)": "createTimer(ros::Rate(2)"},
+    {
+        "createTimer(ros::Duration(0.5)": "createSteadyTimer(ros::WallDuration(0.5)",
+        "slowCallback(const ros::TimerEvent&)": "slowCallback(const ros::SteadyTimerEvent&)",
+        "ros::Timer slow": "ros::SteadyTimer slow",
+    },
+    {SAYS_CPP: '    ROS_INFO("[SLOW] counter = %u", slow_counter_);\n'},
+]
+WRONG_CPP = [
+    (
+        {SLOW_CPP: ""},
+        "`[SLOW]`: no counter was printed",
+        "A node can have as many timers as it likes, each with its own",
+    ),
+    (
+        {"    slow_timer_ =": "    ros::Timer slow_timer_ ="},
+        "`[SLOW]`: no counter was printed",
+        "was stopped before its first call",
+    ),
+    (
+        {"slow_counter_++": "counter_++", "slow_counter_);": "counter_);"},
+        "`[SLOW]`: where counter 1 was due",
+        "Something else counts in the same variable: give each timer a",
+    ),
+    (
+        {"Duration(0.5)": "Duration(2.0)"},
+        "`[SLOW]`: counter 1 came at 2 s, not at 0.5 s",
+        "A node can have as many timers as it likes, each with its own",
+    ),
+    (
+        {"Duration(0.1)": "Duration(0.5)"},
+        "`[FAST]`: counter 1 came at 0.5 s",
+        "A node can have as many timers as it likes, each with its own",
+    ),
+    (
+        {"&SpinnerCppNode::slowCallback": "slowCallback"},
+        "does not compile",
+        "Nothing ran. Begin with the compiler's first error: others may",
+    ),
+    (
+        {SAYS_CPP: SAYS_CPP + "    ros::Duration(0.6).sleep();\n"},
+        "`[FAST]`: counter 6 came at",
+        "A node can have as many timers as it likes, each with its own",
+    ),
+    ({"[SLOW]": "[slow]"}, "`[SLOW]`: no counter was printed", "The lines should read `[SLOW] counter = 1` and so on."),
 ]

@@ -48,12 +48,49 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "rclcpp/rclcpp.hpp"
+
+using namespace std::chrono_literals;
+
+class SpinnerCppNode : public rclcpp::Node
+{
+public:
+  SpinnerCppNode() : Node("spinner_cpp_node")
+  {
+    fast_timer_ = create_wall_timer(100ms, [this] { fastCallback(); });
+  }
+
+private:
+  void fastCallback()
+  {
+    counter_++;
+    RCLCPP_INFO_STREAM(get_logger(), "[FAST] counter = " << counter_);
+  }
+
+  unsigned int counter_ = 0;
+  rclcpp::TimerBase::SharedPtr fast_timer_;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<SpinnerCppNode>());
+  return 0;
+}
+"""
+
 HINTS = [
     "A node can have as many timers as it likes.",
     "Each timer has a period and a callback of its own.",
     "Does each of them have a counter of its own?",
 ]
+HINTS_CPP = [*HINTS, "Does a member of the class keep the new timer? It ends with the last pointer to it."]
 HINT = "A node can have as many timers as it likes, each with its own period, callback and counter."
+HINT_CPP = HINT
 
 
 def _have_timers_of_their_own(seen: Seen, when: str) -> Finding | None:
@@ -181,4 +218,70 @@ WRONG = [
         "`[FAST]`: counter 6 came at",
         AS_MANY,
     ),
+]
+
+MADE_CPP = "    fast_timer_ = create_wall_timer(100ms, [this] { fastCallback(); });\n"
+SLOW_CPP = "    slow_timer_ = create_wall_timer(500ms, [this] { slowCallback(); });\n"
+SAYS_CPP = '    RCLCPP_INFO_STREAM(get_logger(), "[SLOW] counter = " << slow_counter_);\n'
+
+SOLUTION_CPP = {
+    MADE_CPP: MADE_CPP + SLOW_CPP,
+    "  unsigned int counter_ = 0;\n": "  void slowCallback()\n  {\n    slow_counter_++;\n"
+    f"{SAYS_CPP}  }}\n\n  unsigned int counter_ = 0;\n  unsigned int slow_counter_ = 0;\n",
+    "fast_timer_;\n": "fast_timer_;\n  rclcpp::TimerBase::SharedPtr slow_timer_;\n",
+}
+
+RIGHT_CPP = [
+    {"500ms": "std::chrono::duration<double>(1 / 2.0)"},
+    {SLOW_CPP: "    slow_timer_ = create_timer(0.5s, std::bind(&SpinnerCppNode::slowCallback, this));\n"},
+    {
+        SLOW_CPP: "    slow_timer_ = rclcpp::create_wall_timer(500ms, [this] { slowCallback(); }, nullptr, "
+        "get_node_base_interface().get(), get_node_timers_interface().get());\n"
+    },
+    {SAYS_CPP: '    RCLCPP_INFO(get_logger(), "[SLOW] counter = %u", slow_counter_);\n'},
+    {
+        SAYS_CPP: '    std::cout << "[SLOW] counter = " << slow_counter_ << std::endl;\n',
+        "#include <memory>": "#include <iostream>\n#include <memory>",
+    },
+]
+WRONG_CPP = [
+    ({SLOW_CPP: ""}, "`[SLOW]`: no counter was printed", AS_MANY),
+    (
+        {
+            SLOW_CPP: "",
+            '"[FAST] counter = " << counter_);\n': '"[FAST] counter = " << counter_);\n'
+            "    if (counter_ % 5 == 0)\n      slowCallback();\n",
+        },
+        "one timer prints both `[FAST]` and `[SLOW]`",
+        "a timer of its own for each",
+    ),
+    (
+        {"slow_counter_++": "counter_++", "slow_counter_);": "counter_);"},
+        "`[SLOW]`: where counter 1 was due, counter 5 came",
+        "Something else counts in the same variable:",
+    ),
+    ({"500ms": "2s"}, "`[SLOW]`: counter 1 came at 2 s, not at 0.5 s", AS_MANY),
+    ({"500ms": "5s"}, "`[SLOW]`: no counter was printed", "A timer of the node has a period of 5 s"),
+    (
+        {"    slow_timer_ =": "    auto slow_timer_ ="},
+        "`[SLOW]`: no counter was printed",
+        "was stopped before its first call",
+    ),
+    (
+        {"    slow_timer_ =": "    fast_timer_ ="},
+        "`[FAST]`: no counter was printed",
+        "A timer of the node was stopped before its first call, or never",
+    ),
+    ({"[SLOW]": "[slow]"}, "`[SLOW]`: no counter was printed", "The lines should read `[SLOW] counter = 1` and so on."),
+    (
+        {"[this] { slowCallback(); }": "slowCallback"},
+        "does not compile",
+        "Nothing ran. Begin with the compiler's first error: others may",
+    ),
+    (
+        {"  void slowCallback()": "  void slow()"},
+        "does not compile: `use of undeclared identifier 'slowCallback'",
+        "Nothing ran. Begin with the compiler's first error: others may",
+    ),
+    ({SAYS_CPP: SAYS_CPP + "    rclcpp::sleep_for(600ms);\n"}, "`[FAST]`: counter 5 came at", AS_MANY),
 ]
