@@ -392,10 +392,13 @@ def needed(root: Path) -> dict[str, str]:
 
     That is nothing if there is no compiler.
     """
+    try:
+        node, *_ = node_command()
+    except ValueError:
+        return {}
     if not _CLANG.is_dir():
         return {}
     _KEPT.mkdir(parents=True, exist_ok=True)
-    node, *_ = node_command()
     folders = {str(place): str(root.parent / place.relative_to(_BUILD.parent)) for place in (_CLANG, _KEPT)}
     return {**folders, node: node}
 

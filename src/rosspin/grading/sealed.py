@@ -74,7 +74,11 @@ class Process:
         """Start it; an answer has so many seconds. Raises :class:`CannotSeal`, or OSError if it is not to be sealed."""
         self._temporary = None if seal else TemporaryFolder()
         self._init: int | None = None  # of the first process of its namespace
-        given: dict[str, Any] = {"sealed": seal, "time": seconds, "node": building.node_command()[0]}
+        given: dict[str, Any] = {
+            "sealed": seal,
+            "time": seconds,
+            "node": building.node_command()[0] if building.needed(Path(_IN)) else "",
+        }
         if self._temporary:
             folder = self._temporary.path / "answer"
             folder.mkdir(0o700)

@@ -134,7 +134,6 @@ ABOVE = {
     "include": '#include "/etc/passwd"\n#include "FOLDER/secret"',
     "embed": 'const char stolen[] = {\n#embed "FOLDER/secret"\n};',
     "incbin": 'asm(".incbin \\"FOLDER/secret\\"");',
-    "a compiler without memory": "int a[] = {[0 ... 0x7fffffff] = 1};",
 }
 _HEADERS = "".join(
     f"#include <{name}>\n"

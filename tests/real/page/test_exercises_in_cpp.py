@@ -63,7 +63,7 @@ def test_an_answer_is_compiled_judged_and_kept_besides_that_in_python(
     said = cell.ends("error: see the console")
     assert f"answer.cpp:{line}:15: error: expected ';'" in said and "A ; is missing" in said
     check(cell, IN_CPP[NAME].changed)
-    assert "counter = 10" in cell.ends(r"Exercise 1: right\. You have solved 1 of 20\.")
+    assert "counter = 10" in cell.ends(r"Exercise 1: right\. You have solved 1 of 21\.")
     expect(page.get_by_role("link", name="Next: ")).to_be_visible()
     page.goto(f"{address}exercises/{NAME}.html")  # the language is remembered
     expect(cell.status).to_have_text("solved, as you edited it")

@@ -118,7 +118,7 @@ _LISTS: Mapping[tuple[int, str], Sequence[str]] = {
         *("starving-neighbour", "ask-without-hanging", "let-a-callback-wait", "slow-service", "cancel-a-goal"),
         "find-the-order",
     ),
-    (2, "End"): ("wake-a-rate", "end-without-a-traceback"),
+    (2, "End"): ("wake-a-rate", "end-without-a-traceback", "outlive-nothing"),
     (1, "Predict"): ("first-ticks", "after-a-slow-callback", "cpp-ticks"),
     (1, "Change"): (
         *("ten-hertz", "fire-once", "stop-after-five", "loop-to-timer", "frequency-parameter", "two-rates"),
