@@ -39,7 +39,7 @@ class InCpp:
         self.in_words = ros.in_words
 
     def timer_of(self, frame: FrameType) -> Any:
-        """Return the source of the timer whose call goes on while a program prints, or None."""
+        """Return the source of the timer whose call lasts while a program prints, or None."""
         return frame.f_locals["self"].calling or None if frame.f_code is Running._note.__code__ else None
 
     def heard_in(self, frame: FrameType) -> Any:

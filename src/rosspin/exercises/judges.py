@@ -21,7 +21,7 @@ Check = Callable[[Seen, str], Finding | None]
 P = ParamSpec("P")
 
 # Times that differ by less than this (s) are meant to be the same. For a program in C++ that waits by looking at the
-# time, that goes on in steps of 1 ms.
+# time, which passes in steps of 1 ms.
 CLOSE = 1.5e-3
 
 _TURNS = "when the threads take turns at every line"

@@ -160,7 +160,7 @@ class Seen(NamedTuple):
         return "SPINNER CPP NODE" if self.language == "cpp" else "SPINNER PY NODE"
 
     def counters(self, tag: str = "") -> list[Printed]:
-        """Return the lines ``[tag] counter = 1`` and so on, up to Ctrl-C. The tag is that of the spinner nodes."""
+        """Return the lines ``[tag] counter = 1`` and so on, up to Ctrl-C. The tag is the spinner nodes'."""
         return [line for line in self.values(tag or self.tag, "counter") if line.time <= self.seconds]
 
     def ends_of(self, topic: str, publishes: bool) -> list[SeenEnd]:

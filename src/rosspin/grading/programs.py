@@ -1,4 +1,4 @@
-"""What runs beside the process of a lane for answers in C++: a compiler and a Node.js, in the lane's own sandbox.
+"""What runs next to the process of a lane for answers in C++: a compiler and a Node.js, in the lane's own sandbox.
 
 Neither knows an answer before it is asked to compile or to run it. To the compiler, and to the program that it makes,
 there are no files but those that they are given: their world is WebAssembly's.
@@ -47,7 +47,7 @@ class Programs:
             self._lent = [_Lent(command) for command in (building.compile_command(), nodejs.run_command())]
 
     def end(self) -> None:
-        """End both: nobody knows what a child that did not end well has left them in."""
+        """End both: it is not known what a child that did not end well has left them in."""
         while self._lent:
             self._lent.pop().end()
 
@@ -57,7 +57,7 @@ class Programs:
         return [file for each in self._lent for file in (each.stdin.fileno(), each.stdout.fileno())]
 
     def used(self) -> ExitStack:
-        """Within this context, a child uses them; what it compiles is for nobody else."""
+        """Within this context, a child uses them; what it compiles is for no other one."""
         stack = ExitStack()
         kept = stack.enter_context(TemporaryDirectory(dir="."))
         building.keep_programs_in(Path(kept).absolute())

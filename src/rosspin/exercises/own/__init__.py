@@ -50,7 +50,7 @@ class Exercise(NamedTuple):
         return tuple(self.hints)
 
     def hint(self, answer: Any) -> str:
-        """Return the hint for an answer in its language; that of the first for any other."""
+        """Return the hint for an answer in its language, or in the first for any other."""
         language = language_of(answer)
         return self.hints.get(language.name if language else "python", [*self.hints.values()][0])
 
