@@ -5,31 +5,22 @@ import { Console } from "./console.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { Kept } from "./kept.js"
 import { find, make } from "./make.js"
+import { SEE_CONSOLE } from "./outcome.js"
 import { exercises, progress, showProgress } from "./progress.js"
 import { IS_IT_THERE, load, start, warmUp } from "./python.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
 
-/** The longest console (characters) that is worth pinning in a test. */
-const LONGEST = 50_000
-
 /** What a reader is told before a listing in C++ is changed. */
 const CLANG = `To run a change, ${LOADS_CLANG}`
-
-const SEE_CONSOLE = "error: see the console"
 
 /** What a node has in it that reads its command line. */
 const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameters?|argv)\b|<arg /
 const READS_ARGUMENTS_IN_CPP = /\bgetParam|\bparam(<\w+>)?\(|\bparam::|\bdeclare_parameters?\b/
 
-/** @type {Record<string, string>} an example of how a parameter is set, by what a node of that ROS has in it */
-const EXAMPLE = { "rospy": "_frequency:=5", "rclpy": "--ros-args -p frequency:=5.0" }
-EXAMPLE["ros/ros.h"] = EXAMPLE.rospy
-EXAMPLE["rclcpp/"] = EXAMPLE.rclpy
-
-/** The status of a node that Ctrl-C ended, as it does at the end of a run unless the node has seen to it. */
-const BY_CTRL_C = 130
+/** @type {[RegExp, string][]} what a node of each ROS has in it, and an example of how a parameter of it is set */
+const EXAMPLES = [[/\brospy\b|\bros\/ros\.h\b/, "_frequency:=5"], [/\brclpy\b|\brclcpp\//, "--ros-args -p frequency:=5.0"]]
 
 /** @typedef {import("./kept.js").Keeping} Keeping */
 
@@ -180,11 +171,8 @@ export class Cell {
   #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
     bar.append(this.run, this.both, this.mixed, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
-    const isNode = !this.exercise && !this.#simulates
-    if (isNode) bar.append(make("label", {}, this.seconds, " s"))
-    if (!this.exercise) bar.append(this.speed)
-    if (isNode) bar.append(this.arguments)
-    bar.append(this.progress, this.status)
+    const [seconds, speed, args] = [make("label", {}, this.seconds, " s"), this.speed, this.arguments]
+    bar.append(...(this.exercise ? [] : this.#simulates ? [speed] : [seconds, speed, args]), this.progress, this.status)
     const parts = [this.notice, this.copied, this.#made ?? "", this.console.element]
     const onward = this.exercise && !this.#pre.closest(".sd-tab-set") ? document.querySelectorAll(".exercise-next") : []
     return [bar, make("div", { className: "live-cell" }, ...parts, ...onward)]
@@ -221,7 +209,7 @@ export class Cell {
   #offer() {
     const reads = this.isCpp ? READS_ARGUMENTS_IN_CPP : READS_ARGUMENTS
     this.arguments.hidden = !reads.test(this.#text) && !this.args.value
-    this.args.placeholder = EXAMPLE[String(this.#text.match(/\brospy\b|\brclpy\b|\bros\/ros\.h\b|\brclcpp\//))] ?? ""
+    this.args.placeholder = EXAMPLES.find(([sign]) => sign.test(this.#text))?.[1] ?? ""
     const isUntouched = this.#text === this.#original && this.seconds.value === SECONDS && !this.args.value
     this.reset.ariaDisabled = String(isUntouched && !this.#own && !this.#hasRun)
     this.earlier.hidden = !this.#kept.hasEarlier
@@ -418,10 +406,9 @@ export class Cell {
     const [shown, number] = [this.#pinned, this.#runs]
     if (!shown) return
     this.#say("writing the test")
-    const made = load(this.#base).then((runs) => runs.pin(shown))
-    const said = await made.catch((error) => error)
+    const test = await load(this.#base).then((runs) => runs.pin(shown)).catch(() => "")
     if (number !== this.#runs) return
-    if (typeof said === "string") await this.#copy(said, "the test is copied: save it in a file for pytest")
+    if (test) await this.#copy(test, "the test is copied: save it in a file for pytest")
     else this.#say(`error: the test could not be written. ${IS_IT_THERE}`)
   }
 
@@ -532,11 +519,13 @@ export class Cell {
    * @param {import("./protocol.js").RunResult} result
    * @param {import("./runs.js").Text} job
    */
-  #finish({ status, errors, count, ticks, lost, chunks, alternative, end, scenes, drive }, { source, filename, seconds, args, beside, ros }) {
-    const { whole } = this.console
-    const pins = !this.#launch && !status && !errors && !beside.length && !drive.length && count === ticks.length && whole !== null && whole.length <= LONGEST
-    this.#pinned = pins ? { source, filename, seconds, args, console: whole, ticks } : null
-    this.pin.hidden = !pins
+  async #finish(result, job) {
+    const { count, ticks, lost, chunks, alternative, end, scenes } = result
+    const number = this.#runs
+    const { said, pinned } = (await load(this.#base)).outcome(result, job, this.console.whole)
+    if (number !== this.#runs) return
+    this.#pinned = pinned
+    this.pin.hidden = !pinned
     const none = this.#endSteps
     if (scenes) {
       import(`${this.#base}stepper.js`).then(({ offer }) => {
@@ -545,9 +534,7 @@ export class Cell {
       })
     }
     if (count) this.#plot?.finish(ticks, count, alternative, chunks, end, lost)
-    const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
-    const done = status === BY_CTRL_C ? `done${ticked}, ended by Ctrl-C${ros ? "" : " with a traceback"}` : SEE_CONSOLE
-    this.#say(status ? done : errors ? `done, but with an ${SEE_CONSOLE}` : `done${ticked}`)
+    this.#say(said)
   }
 
   /**

@@ -29,6 +29,15 @@ addEventListener("storage", ({ key }) => key && store.heard(key))
 // What other tabs wrote while this one was asleep, or was left and is shown again, no event has told.
 for (const sign of ["pageshow", "visibilitychange"]) addEventListener(sign, () => store.refresh())
 
+/** Where an address leads to an exercise on a list, as it did when they were all on one page, go to its own. */
+function leadOn() {
+  const entry = location.hash && document.getElementById(location.hash.slice(1))?.closest(".exercise-list > li")
+  if (entry) location.replace(find("a", entry).getAttribute("href") + location.search)
+}
+
+leadOn()
+addEventListener("hashchange", leadOn)
+
 /** @returns {{name?: string, student?: string, id?: string}} */
 function known() {
   try {

@@ -38,15 +38,7 @@ async function receive() {
   }
 }
 
-/** Where an address leads to an exercise on a list, as it did when they were all on one page, go to its own. */
-function leadOn() {
-  const entry = location.hash && document.getElementById(location.hash.slice(1))?.closest(".exercise-list > li")
-  if (entry) location.replace(find("a", entry).getAttribute("href") + location.search)
-}
-
 showProgress()
-leadOn()
-addEventListener("hashchange", leadOn)
 // Solved in another tab, or on the page from which the reader comes back.
 for (const sign of ["storage", "pageshow"]) addEventListener(sign, showProgress)
 document.addEventListener("DOMContentLoaded", receive) // when the chosen tabs are open, too
