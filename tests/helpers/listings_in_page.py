@@ -13,18 +13,12 @@ from python_texts import of_any_python
 from readers import until
 from tree import EXAMPLES
 
-TUTORIAL = "docs/tutorial.html"
+TUTORIAL = "docs/tutorial-timer.html"
 
-# The listings of the tutorial that can be run, in their order.
-LISTINGS = [
-    "my_robotics_pkg/src/spinner_py_node.py",
-    "steps/1_class.py",
-    "steps/2_callback.py",
-    "my_robotics_pkg/src/spinner_py_node.py",
-    "my_robotics_pkg/src/spinner_rate_py_node.py",
-]
+# The listings of that page that can be run, in their order.
+LISTINGS = ["steps/1_class.py", "steps/2_callback.py", "my_robotics_pkg/src/spinner_py_node.py"]
 
-TIMER, RATE = 3, 4
+OTHER, TIMER = 1, 2
 
 IN_PYTHON = "div.live:not(.highlight-cpp, .highlight-xml)"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from answers import TASKS
 from axe import in_both_schemes
-from listings_in_page import Cell, open_exercise
+from listings_in_page import Cell, open_exercise, unfold
 from looks import TOO_WIDE
 from playwright.sync_api import Page, expect
 
@@ -28,6 +28,7 @@ def driven(cell: Cell) -> str | None:
 @pytest.mark.parametrize("number", [0, 1], ids=["ROS 2", "ROS 1"])
 def test_a_node_drives_and_the_page_draws_it_as_the_build_did(page: Page, address: str, number: int) -> None:
     page.goto(address + PAGE)
+    unfold(page)
     cell = Cell(page, number)
     made = page.locator("div.cell:has(div.live)").nth(number).locator(".cell_output figure")
     before = str(made.locator("svg").first.get_attribute("aria-label"))

@@ -7,6 +7,7 @@ import re
 import pytest
 from listings_in_page import (
     LISTINGS,
+    OTHER,
     TIMER,
     Cell,
     open_tutorial,
@@ -34,8 +35,9 @@ def test_edit(tutorial: Page, address: str) -> None:
     cell.element.locator("pre").first.hover()
     cell.element.locator("button.copybtn").click()
     assert tutorial.evaluate("navigator.clipboard.readText()") == edited.rstrip("\n")
-    other = Cell(tutorial, 0)
-    assert other.element.locator("pre").first.text_content() == original
+    other = Cell(tutorial, OTHER)
+    untouched = (EXAMPLES / LISTINGS[OTHER]).read_text(encoding="utf-8")
+    assert other.element.locator("pre").first.text_content() == untouched
 
     cell.button("Reset").click()
     assert cell.element.locator("pre").first.text_content() == original

@@ -13,7 +13,7 @@ from firefox import Tab
 from floods import AS_MUCH, SIZE
 from hand_ins import ENDLESS, RIGHT, TEACHERS, WRONG, handed_in, impatient
 from in_chromium import served
-from listings_in_page import TIMER, link
+from listings_in_page import link
 from tree import ROOT
 
 from rosspin import simulate
@@ -103,10 +103,10 @@ FLOOD = f"""async index => {{
 @pytest.mark.parametrize("name", AS_MUCH)
 def test_what_is_shown_is_bounded_and_stop_ends_it(firefox_page: Tab, address: str, name: str) -> None:
     firefox_page.open(address)
-    firefox_page.open(f"{address}docs/tutorial.html?lang=python{link(text=AS_MUCH[name], seconds=3000)}")
+    firefox_page.open(f"{address}docs/tutorial.html?lang=python{link(cell=0, text=AS_MUCH[name], seconds=3000)}")
     if not firefox_page.evaluate("() => 'Suspending' in WebAssembly"):
         return
-    characters, lines, longest, elements = firefox_page.evaluate(FLOOD, TIMER)
+    characters, lines, longest, elements = firefox_page.evaluate(FLOOD, 0)
     assert characters <= 100_000 and lines <= 1000 and longest <= 2001 and elements <= 8000
     assert characters + elements > 500
     firefox_page.wrong[:] = [wrong for wrong in firefox_page.wrong if "data:text/javascript" not in wrong]

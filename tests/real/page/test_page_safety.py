@@ -12,7 +12,7 @@ from answers import CELLS, number_of
 from attacks import ATTACK, FORGERIES, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
 from hand_ins import EXERCISE, NO_RUNS, TEACHERS, Table, exchange, handed_in, solves_nothing
 from in_chromium import launched, served
-from listings_in_page import RATE, TIMER, TUTORIAL, Cell, link, open_tutorial
+from listings_in_page import OTHER, TIMER, TUTORIAL, Cell, link, open_tutorial
 from looks import faults
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
@@ -64,7 +64,7 @@ def test_code_reaches_nothing(context: BrowserContext, address: str) -> None:
     assert set(page.evaluate("caches.keys()")) == {"mine", "rosspin"}
     assert page.evaluate("indexedDB.databases()") == []
     assert page.evaluate("navigator.serviceWorker.getRegistrations()") == []
-    assert "next" in run(page, RATE, "print('next')", "done")
+    assert "next" in run(page, OTHER, "print('next')", "done")
 
 
 def test_two_runs_do_not_hear_each_other(tutorial: Page) -> None:
@@ -72,7 +72,7 @@ def test_two_runs_do_not_hear_each_other(tutorial: Page) -> None:
         "import js, time\nfrom pyodide.ffi import create_proxy\nchannel = js.BroadcastChannel.new('a')\n"
         "channel.onmessage = create_proxy(lambda event: print('heard'))\nprint('listens')\ntime.sleep(20)"
     )
-    cell = Cell(tutorial, RATE)
+    cell = Cell(tutorial, OTHER)
     cell.write(listens)
     cell.run(20, "real time")
     expect(cell.console).to_contain_text("listens")

@@ -9,7 +9,7 @@ import pytest
 from listings_in_page import (
     IN_PYTHON,
     LISTINGS,
-    RATE,
+    OTHER,
     ROS2,
     TIMER,
     Cell,
@@ -92,10 +92,10 @@ def test_run_in_real_time(tutorial: Page) -> None:
 
 
 def test_two_at_once(tutorial: Page) -> None:
-    cells = [Cell(tutorial, TIMER), Cell(tutorial, RATE)]
+    cells = [Cell(tutorial, TIMER), Cell(tutorial, OTHER)]
     for cell in cells:
         cell.run(3, "real time")
-    for cell, index in zip(cells, (TIMER, RATE), strict=True):
+    for cell, index in zip(cells, (TIMER, OTHER), strict=True):
         assert cell.ends("done") == simulate(EXAMPLES / LISTINGS[index], 3).console
 
 

@@ -6,7 +6,7 @@ import re
 
 import pytest
 from axe import in_both_schemes
-from listings_in_page import Cell, unfold
+from listings_in_page import TIMER, Cell, unfold
 from playwright.sync_api import Browser, Locator, Page, expect
 from readers import reader
 
@@ -160,7 +160,7 @@ def test_a_notebook_has_steps(page: Page, address: str, name: str) -> None:
 
 def test_the_threads_of_a_node_of_ros_1(tutorial: Page) -> None:
     """Each calls its own callbacks: there are no groups, and nothing is ready."""
-    cell = Cell(tutorial, 3)
+    cell = Cell(tutorial, TIMER)
     cell.run(2)
     cell.ends("done")
     cell.button("Step through this").click()

@@ -10,7 +10,7 @@ import pytest
 from listings_in_page import (
     IN_PYTHON,
     LISTINGS,
-    RATE,
+    OTHER,
     ROS2,
     TIMER,
     TUTORIAL,
@@ -131,7 +131,7 @@ def test_html_in_a_link_is_text(tutorial: Page, address: str) -> None:
     other.close()
 
 
-@pytest.mark.parametrize("listing", [EXAMPLES / LISTINGS[RATE], ROS2[0]], ids=lambda path: path.parts[-3])
+@pytest.mark.parametrize("listing", [EXAMPLES / LISTINGS[OTHER], ROS2[0]], ids=lambda path: path.parts[-3])
 def test_run_is_copied_as_a_test(tutorial: Page, listing: Path) -> None:
     """It is the one that CPython makes of the same run. That it passes, and fails, is in results/test_pinned.py."""
     tutorial.context.grant_permissions(["clipboard-read", "clipboard-write"])

@@ -11,7 +11,7 @@ from urllib.parse import urlsplit
 import pytest
 from listings_in_page import (
     LISTINGS,
-    RATE,
+    OTHER,
     ROS2,
     TIMER,
     TUTORIAL,
@@ -168,7 +168,7 @@ def test_a_link_that_cannot_be_made(context: BrowserContext, address: str) -> No
     page = context.new_page()
     open_tutorial(page, address)
     context.set_offline(True)
-    cell = Cell(page, RATE)
+    cell = Cell(page, OTHER)
     cell.button("Copy link").click()
     expect(cell.status).to_have_text("error: the link could not be made. Is the site still there?")
     context.set_offline(False)
@@ -178,7 +178,7 @@ def test_an_editor_that_cannot_be_loaded(context: BrowserContext, address: str) 
     page = context.new_page()
     open_tutorial(page, address)
     context.set_offline(True)
-    cell = Cell(page, RATE)
+    cell = Cell(page, OTHER)
     cell.button("Edit").click()
     expect(cell.status).to_have_text("error: the editor could not be loaded. Is the site still there?")
 

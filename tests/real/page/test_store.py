@@ -244,7 +244,9 @@ def test_what_others_have_written_there_is_bounded(context: BrowserContext, addr
     shown = cell.element.locator("pre").first
     original = shown.text_content()
     cell.write("mine")
-    [key] = page.evaluate("Object.keys(localStorage).filter(key => key.startsWith('rosspin:/docs/tutorial.html:'))")
+    [key] = page.evaluate(
+        "Object.keys(localStorage).filter(key => key.startsWith('rosspin:/docs/tutorial-timer.html:'))"
+    )
     page.evaluate("key => localStorage.setItem(key, 'x'.repeat(200_000))", key)
     page.evaluate("localStorage.setItem('rosspin:progress:/docs/ros2-exercises.html', 'x'.repeat(9999))")
     page.evaluate("localStorage.setItem('rosspin:progress:/notebooks/exercises.html', '<b>3</b> of 3 solved')")

@@ -63,7 +63,7 @@ int main(int argc, char* argv[])
 HINTS = [
     "The lambda captures `this`, a pointer to an object. How long does that object live, and how long the lambda?",
     "The object ends with `start`, as `spinner_cpp_node` is a variable of that function. The timer, and the lambda in "
-    "it, go on.",
+    "it, live longer.",
     "Let `main` keep the object for as long as it spins: `start` can return it, with the timer in it.",
 ]
 HINT = "The lambda is called after the object is gone whose `this` it has captured. Who could keep that object?"
