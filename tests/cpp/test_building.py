@@ -43,6 +43,16 @@ def test_only_who_compiles_for_many_is_waited_for(tmp_path: Path) -> None:
         pass
 
 
+def test_a_program_is_the_same_wherever_it_is_compiled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    names = []
+    for folder in "one", "two":
+        building.stand_in.cache_clear()
+        monkeypatch.setattr(building, "_KEPT", tmp_path / folder)
+        names.append(building._planned(NODE, None, tmp_path).program.name)
+    building.stand_in.cache_clear()
+    assert names[0] == names[1]
+
+
 @pytest.fixture
 def asked(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[Sequence[Mapping[str, Any]]]:
     """What a compiler is asked for that makes empty programs, one list of steps each time."""

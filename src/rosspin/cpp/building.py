@@ -340,7 +340,9 @@ def stand_in(ros: int) -> _StandIn:
         objects[f"{name}.o"] = _Step(file, [*options, "-c", f"{name}.cpp"], {**needs, f"{name}.cpp": str(source)})
     made = {name: str(step.file) for name, step in objects.items()}
     all_files = {**files, **made, "prelude.pch": str(pch.file)}
-    return _StandIn(own, folder, [pch, *objects.values()], all_files, list(made), _digest(key, *made.values()))
+    # Not where they lie: another checkout makes the same programs.
+    key_of_programs = _digest(key, *(step.file.name for step in objects.values()))
+    return _StandIn(own, folder, [pch, *objects.values()], all_files, list(made), key_of_programs)
 
 
 class _Step(NamedTuple):
