@@ -210,9 +210,7 @@ def test_launch_file_that_is_none(tmp_path: Path) -> None:
 
 
 def test_a_node_deaf_to_ctrl_c_is_killed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(
-        ros1.Workspace, "patience", ((signal.SIGINT, 1.0), (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0))
-    )
+    monkeypatch.setattr(ros1.Workspace, "ending", Ending(((signal.SIGINT, 1.0), (signal.SIGTERM, 1.0))))
     node = tmp_path / "deaf.py"
     node.write_text(
         "import signal, time\n"

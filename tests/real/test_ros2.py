@@ -28,6 +28,7 @@ from verdicts import control
 
 from rosspin import simulate
 from rosspin.__main__ import main
+from rosspin.clocks.ctrl_c import Ending
 from rosspin.measures import by_source
 from rosspin.real import ros2
 from rosspin.real.children import Output
@@ -167,7 +168,7 @@ def test_a_killed_node_leaves_nothing(ros: None, write: Any) -> None:
 
 
 def test_a_node_deaf_to_ctrl_c_is_killed(ros: None, write: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ros2.Nodes, "patience", ((signal.SIGINT, 2.0), (signal.SIGTERM, 0.5), (signal.SIGKILL, 5.0)))
+    monkeypatch.setattr(ros2.Nodes, "ending", Ending(((signal.SIGINT, 2.0), (signal.SIGTERM, 0.5))))
     node = write(
         """
         import rclpy
