@@ -125,7 +125,7 @@ def test_what_late_and_lost_ticks_come_to(blocks: str, tmp_path: Path) -> None:
         assert result["alternative"] == said + (f" Lost ticks: {len(lost[source])}." if lost else "")
 
 
-@pytest.mark.parametrize("name", ["ros1", "ros1_threads", "ros2", "ros2_threads"])
+@pytest.mark.parametrize("name", ["ros1", "ros1_graph", "ros1_threads", "ros2", "ros2_threads"])
 def test_the_scenarios(name: str, tmp_path: Path) -> None:
     file = FOLDER / f"{name}.cpp"
     before, *more = ("", "--ros-args", "-r", "from:=to") if "ros2" in name else ("_scenario:=", "from:=to")

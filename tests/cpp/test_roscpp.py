@@ -20,7 +20,7 @@ from rosspin.results.recordings import load
 
 Write = Callable[[str, str], Path]
 
-SCENARIOS = {file: recorded(f"{file}.txt") for file in ("ros1", "ros1_threads")}
+SCENARIOS = {file: recorded(f"{file}.txt") for file in ("ros1", "ros1_graph", "ros1_threads")}
 PACKAGE = ROOT / "examples" / "my_robotics_pkg" / "src"
 PROBE = ROOT / "examples" / "timing_probes" / "src" / "timer_probe.cpp"
 
@@ -125,6 +125,58 @@ def test_python_hears_cpp_and_cpp_hears_python() -> None:
     ]
     run = simulate([str(PACKAGE / "publisher_py_node.py"), str(PACKAGE / "subscriber_cpp_node.cpp")], 2.0)
     assert "[SUBSCRIBER CPP NODE] counter = 3" in run.console
+
+
+TELLS = """\
+#include "ros/ros.h"
+#include "std_msgs/UInt32.h"
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "tells");
+  ros::NodeHandle nh;
+  auto tell = [](const char* what)
+  {
+    return [=](const ros::SingleSubscriberPublisher& to)
+    {
+      std::printf("%s %s at %.1f\\n", what, to.getSubscriberName().c_str(), ros::Time::now().toSec());
+      std_msgs::UInt32 message;
+      message.data = 7;
+      to.publish(message);
+    };
+  };
+  ros::Publisher publisher = nh.advertise<std_msgs::UInt32>("topic", 1, tell("greets"), tell("misses"));
+  ros::Timer timer = nh.createTimer(ros::Duration(1.5), [&](const ros::TimerEvent&)
+      {
+        std::printf("%u %d\\n", publisher.getNumSubscribers(), publisher.isLatched());
+        ros::V_string nodes;
+        ros::master::getNodes(nodes);
+        for (const std::string& node : nodes)
+          std::puts(node.c_str());
+      }, true);
+  ros::spin();
+}
+"""
+
+HEARS_FOR_A_SECOND = """\
+import rospy
+from std_msgs.msg import UInt32
+rospy.init_node("hears")
+rospy.Subscriber("topic", UInt32, lambda message: print("heard", message.data))
+rospy.sleep(1.0)
+"""
+
+
+def test_a_publisher_is_told_of_nodes_in_python(write: Write) -> None:
+    """It greets whoever comes, and no other, and is told when it goes."""
+    hears = str(write(HEARS_FOR_A_SECOND, "hears.py"))
+    also = str(write(HEARS_FOR_A_SECOND.replace('"hears"', '"also"'), "also.py"))
+    run = simulate([str(write(TELLS, "tells.cpp")), hears, also], 2.0)
+    lines = [line for line in run.console.splitlines() if not line.startswith("[")]
+    assert sorted(lines[:6]) == [
+        *("greets /also at 0.0", "greets /hears at 0.0", "heard 7", "heard 7"),
+        *("misses /also at 1.0", "misses /hears at 1.0"),
+    ]
+    assert lines[6:] == ["0 0", "/tells"]
 
 
 SERVES = """\
@@ -423,11 +475,6 @@ def test_a_run_with_threads_is_the_same_each_time() -> None:
     [
         ('"tf/transform_listener.h"', "", "tf/transform_listener.h"),
         ("<ros/package.h>", 'ros::package::getPath("roscpp");', "ros::package::getPath"),
-        (
-            '"std_msgs/String.h"',
-            'ros::NodeHandle().advertise<std_msgs::String>("name", 1, ros::SubscriberStatusCallback());',
-            "ros::NodeHandle::advertise with a callback for connections",
-        ),
     ],
 )
 def test_what_has_no_stand_in_is_named(write: Write, include: str, body: str, name: str) -> None:

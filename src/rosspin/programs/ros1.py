@@ -16,6 +16,7 @@ from typing import Any
 from ..messages.ros1 import Message
 from ..rospy import client
 from ..rospy.exceptions import ROSException, TransportException
+from ..rospy.master import get_master
 from ..rospy.msg import AnyMsg
 from ..rospy.service import Connection as Calls
 from ..rospy.service import Service, ServiceException, ServiceProxy, Services
@@ -37,6 +38,7 @@ class Ros1:
         self._publishers: list[Publisher] = []
         self._subscribers: list[Subscriber] = []
         self._kinds: list[str] = []  # of what they hear
+        self._links: list[Connection] = []  # of which the node was told
         self._services: dict[str, _Service] = {}
         self._proxies: dict[int, _Proxy] = {}
         self._numbers = count()
@@ -44,6 +46,8 @@ class Ros1:
         self._asked: dict[str, Callable[..., Any]] = {
             "init": self._init,
             "advertise": self._advertise,
+            "nodes": _nodes,
+            "topics": client.get_published_topics,
             "subscribers": lambda number: self._publishers[number].get_num_connections(),
             "subscribe": self._subscribe,
             "publishers": lambda number: self._subscribers[number].get_num_connections(),
@@ -58,6 +62,7 @@ class Ros1:
         }
         self._told: dict[str, Callable[..., object]] = {
             "publish": self._publish,
+            "publish_to": self._publish_to,
             "unadvertise": lambda number: self._publishers[number].unregister(),
             "unsubscribe": lambda number: self._subscribers[number].unregister(),
             "unadvertise_service": lambda name: self._services.pop(name).shutdown(),
@@ -82,12 +87,13 @@ class Ros1:
     def _node(self) -> State:
         return self._world.part(State)
 
-    def _init(self, name: str, parameters: Mapping[str, str]) -> None:
+    def _init(self, name: str, parameters: Mapping[str, str], has_rosout: bool) -> None:
         for parameter, text in parameters.items():
             client.set_param(parameter, _from_command_line(text))
         client.begin_node(name, {}, follows_clock=False)
         if client.get_param("/use_sim_time", False):
             raise NotSimulated("/use_sim_time in C++")
+        self._node.rosout = has_rosout
         self._node.at_shutdown.append(lambda: self._event("shutdown", []))
 
     def _shutdown(self) -> None:
@@ -99,14 +105,31 @@ class Ros1:
 
     # --- topics ---
 
-    def _advertise(self, topic: str, kind: str, queue_size: int, latch: bool) -> int:
-        self._publishers.append(Publisher(topic, _class(kind), latch=latch, queue_size=queue_size))
-        return len(self._publishers) - 1
+    def _advertise(self, topic: str, kind: str, queue_size: int, latch: bool, is_told: bool) -> int:
+        number = len(self._publishers)
+
+        def tell(connects: bool, connection: Connection) -> None:
+            if connects:
+                self._links.append(connection)
+            self._event("connect", [number, connects, connection.subscription.node.name, self._links.index(connection)])
+
+        self._publishers.append(_Publisher(topic, _class(kind), latch=latch, queue_size=queue_size))
+        end = self._publishers[-1].impl
+        if is_told and isinstance(end, _Publication):
+            end.told.append(tell)
+            for connection in end.connections:
+                tell(True, connection)
+        return number
 
     def _publish(self, number: int, data: bytes) -> None:
         publisher = self._publishers[number]
         if publisher.data_class:  # it may have been ended meanwhile
             publisher.publish(publisher.data_class().deserialize(data))
+
+    def _publish_to(self, number: int, link: int, data: bytes) -> None:
+        end = self._publishers[number].impl
+        if isinstance(end, _Publication) and (connection := self._links[link]) in end.connections:
+            end.publish_to(end.data_class().deserialize(data), connection)
 
     def _subscribe(self, topic: str, kind: str) -> int:
         number = len(self._subscribers)
@@ -155,6 +178,11 @@ class Ros1:
         except KeyError:
             return False
         return True
+
+
+def _nodes() -> list[str]:
+    _, _, kinds = get_master().getSystemState()
+    return sorted({node for kind in kinds for _, nodes in kind for node in nodes})
 
 
 def _search_param(namespace: str, name: str) -> str | None:
@@ -215,6 +243,38 @@ class _Local(Connection):
     def hang_up(self) -> None:
         own = self.subscription
         own.connections = [each for each in own.connections if each is not self]
+
+
+class _Publication(Publication):
+    """A topic as a C++ node publishes it: ``told`` are called with a connection, and before it whether that is made."""
+
+    def __init__(self, node: State, topic: str, data_class: type[Message]) -> None:
+        super().__init__(node, topic, data_class)
+        self.told: list[Callable[[bool, Connection], None]] = []
+
+    def accept(self, connection: Connection) -> bool:
+        is_accepted = super().accept(connection)
+        if is_accepted:
+            for tell in self.told:
+                tell(True, connection)
+        return is_accepted
+
+    def drop(self, connection: Connection) -> None:
+        if connection in self.connections and not self.closed:
+            for tell in self.told:
+                tell(False, connection)
+        super().drop(connection)
+
+    def publish_to(self, message: Message, connection: Connection) -> None:
+        """Publish to one; whoever connects later is not given that."""
+        with self._lock:
+            latched = self._latched
+            self.publish(message, connection)
+            self._latched = latched
+
+
+class _Publisher(Publisher):
+    _rosspin_end = _Publication
 
 
 class _Subscription(Subscription):

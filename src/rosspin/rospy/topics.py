@@ -515,6 +515,7 @@ class Publisher(Topic):
     """
 
     impl: Publication | None
+    _rosspin_end = Publication  # the class of the node's end
 
     def __init__(
         self,
@@ -528,7 +529,7 @@ class Publisher(Topic):
     ) -> None:
         super().__init__(name, data_class, "pub")
         assert self.resolved_name
-        self.impl = self._topics.acquire(Publication, self._topics.publications, self.resolved_name, data_class)
+        self.impl = self._topics.acquire(self._rosspin_end, self._topics.publications, self.resolved_name, data_class)
         if subscriber_listener:
             self.impl.listeners.append(subscriber_listener)
         if latch:

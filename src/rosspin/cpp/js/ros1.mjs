@@ -3,6 +3,7 @@
 
 export class Ros1 {
   #name = ""
+  #hasRosout = false
   #publications = []
   #subscriptions = []
   #services = new Map() // their names and those of their requests
@@ -16,19 +17,27 @@ export class Ros1 {
   }
 
   asked = {
-    init: (name, parameters) => {
+    init: (name, parameters, hasRosout) => {
       this.#name = name
+      this.#hasRosout = hasRosout
       for (const [each, text] of Object.entries(parameters)) this.asked.set_param(each, fromCommandLine(text))
     },
-    advertise: (topic, kind, _size, latches) =>
-      BigInt(this.#publications.push({ topic, kind, latches, last: null, ended: false }) - 1),
-    subscribe: (topic, kind) => {
-      const number = BigInt(this.#subscriptions.push({ topic, kind, ended: false }) - 1)
-      for (const { last } of this.#others(this.#publications, this.#subscriptions[number])) {
-        if (last) this.#event("message", [number, last, this.#name])
-      }
+    advertise: (topic, kind, _size, latches, isTold) => {
+      const number = BigInt(this.#publications.push({ topic, kind, latches, isTold, last: null, ended: false }) - 1)
+      if (this.asked.subscribers(number)) this.#connect(number, true)
       return number
     },
+    subscribe: (topic, kind) => {
+      const number = BigInt(this.#subscriptions.push({ topic, kind, ended: false }) - 1)
+      this.#publications.forEach((each, place) => {
+        if (!meet(each, this.#subscriptions[number])) return
+        if (each.last) this.#event("message", [number, each.last, this.#name])
+        if (this.#others(this.#subscriptions, each).length === 1) this.#connect(BigInt(place), true)
+      })
+      return number
+    },
+    nodes: () => [this.#name],
+    topics: () => [...(this.#hasRosout ? [["/rosout", "rosgraph_msgs/Log"]] : []), ...this.#topics()],
     subscribers: (number) => BigInt(this.#others(this.#subscriptions, this.#publications[number]).length > 0),
     publishers: (number) => BigInt(this.#others(this.#publications, this.#subscriptions[number]).length > 0),
     advertise_service: (name, request) => void this.#services.set(name, request),
@@ -62,14 +71,20 @@ export class Ros1 {
   told = {
     publish: (number, data) => {
       const publication = this.#publications[number]
-      if (publication.ended) return
-      if (publication.latches) publication.last = data
-      this.#subscriptions.forEach((each, place) => {
-        if (meet(publication, each)) this.#event("message", [BigInt(place), data, this.#name])
-      })
+      if (publication.latches && !publication.ended) publication.last = data
+      this.told.publish_to(number, 0n, data)
     },
+    // All that subscribe are one node.
+    publish_to: (number, _link, data) =>
+      this.#subscriptions.forEach((each, place) => {
+        if (meet(this.#publications[number], each)) this.#event("message", [BigInt(place), data, this.#name])
+      }),
     unadvertise: (number) => (this.#publications[number].ended = true),
-    unsubscribe: (number) => (this.#subscriptions[number].ended = true),
+    unsubscribe: (number) => {
+      const met = this.#publications.map((each) => meet(each, this.#subscriptions[number]))
+      this.#subscriptions[number].ended = true
+      met.forEach((was, place) => was && !this.asked.subscribers(place) && this.#connect(BigInt(place), false))
+    },
     unadvertise_service: (name) => this.#services.delete(name),
     call: (number, _client, _persistent, name, request, data) => {
       if (this.#services.get(name) !== request) this.#event("response", [number, false, false, ""])
@@ -77,6 +92,16 @@ export class Ros1 {
     },
     respond: (number, isOk, data) => this.#event("response", [this.#calls[number], true, isOk, data]),
     shutdown: () => this.#event("shutdown", []),
+  }
+
+  /** Tell that the node itself subscribes to what it publishes, or no longer does. */
+  #connect(number, connects) {
+    if (this.#publications[number].isTold) this.#event("connect", [number, connects, this.#name, 0n])
+  }
+
+  /** The topics that it publishes, and their types. */
+  #topics() {
+    return [...new Map(this.#publications.filter(({ ended }) => !ended).map(({ topic, kind }) => [topic, kind]))]
   }
 
   #others(all, end) {

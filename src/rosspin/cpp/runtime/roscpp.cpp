@@ -11,12 +11,13 @@ namespace
 {
 struct Node
 {
-  bool initialized = false, started = false, ok = false, shutting_down = false, logs = true;
+  bool initialized = false, started = false, ok = false, shutting_down = false, logs = true, has_rosout = true;
   std::string name, space;
   M_string remappings;
   int handles = 0;
   console::Level level = console::levels::Info;
   CallbackQueue queue;
+  std::map<std::int64_t, detail::PublicationImpl*> publications;
   std::vector<detail::SubscriptionImpl*> subscriptions;
   std::map<std::string, detail::ServiceImpl*> services;
   std::int64_t calls = 0;
@@ -34,6 +35,14 @@ Node& node()
 }
 
 constexpr std::int64_t second = 1'000'000'000;
+
+rosspin::Value data_of(const std::string& bytes)
+{
+  rosspin::Value data;
+  data.kind = rosspin::Value::bytes;
+  data.string = bytes;
+  return data;
+}
 
 std::int64_t later(std::int64_t time, std::int64_t by)
 {
@@ -281,11 +290,16 @@ namespace this_node
 {
 const std::string& getName() { return node().name; }
 const std::string& getNamespace() { return node().space; }
-void getAdvertisedTopics(V_string& topics) { topics.clear(); }
+void getAdvertisedTopics(V_string& topics)
+{
+  topics.assign(node().has_rosout, "/rosout");
+  for (const auto& [id, each] : node().publications)
+    if (std::find(topics.begin(), topics.end(), each->topic) == topics.end())
+      topics.push_back(each->topic);
+}
 void getSubscribedTopics(V_string& topics)
 {
-  topics.clear();
-  for (auto each : node().subscriptions)
+  for (auto each : node().subscriptions)  // which are added, as by the real one
     topics.push_back(each->topic);
 }
 }  // namespace this_node
@@ -301,6 +315,9 @@ void received(const std::string& what, std::int64_t when, const rosspin::Value& 
   if (what == "request")
     if (auto found = node().services.find(values.items[0].string); found != node().services.end())
       found->second->receive({values.items[1].whole, values.items[2].string, values.items[3].string});
+  if (what == "connect")
+    if (auto found = node().publications.find(values.items[0].whole); found != node().publications.end())
+      found->second->receive(values.items[1].flag, values.items[2].string, values.items[3].whole);
   if (what == "response")
     node().responses[values.items[0].whole] = values;
   if (what != "message")
@@ -351,7 +368,8 @@ void initialize(M_string remappings, const std::string& name, std::uint32_t opti
     else
       self.remappings[names::resolve(from, false)] = names::resolve(to, false);
   }
-  rosspin::ask("init", {self.name, parameters});
+  self.has_rosout = !(options & init_options::NoRosout);
+  rosspin::ask("init", {self.name, parameters, self.has_rosout});
   rosspin::on_event = received;
   if (!(options & init_options::NoSigintHandler))
     std::signal(SIGINT, at_interrupt);
@@ -857,17 +875,54 @@ CallbackInterface::CallResult TimerImpl::Run::call()
 
 // --- topics (sources: publication.cpp, subscription_queue.cpp) ---
 
-PublicationImpl::PublicationImpl(const std::string& topic, const char* type, std::uint32_t queue_size, bool latch)
-  : topic(topic), type(type), latch(latch)
+PublicationImpl::PublicationImpl(
+    const std::string& topic, const AdvertiseOptions& options, CallbackQueueInterface* queue)
+  : topic(topic), type(options.datatype), latch(options.latch), connect_(options.connect_cb),
+    disconnect_(options.disconnect_cb), tracked_(options.tracked_object), queue_(queue)
 {
-  id_ = rosspin::ask("advertise", {topic, type, static_cast<std::int64_t>(queue_size), latch}).whole;
+  id_ = rosspin::ask("advertise", {topic, type, std::int64_t(options.queue_size), latch, connect_ || disconnect_}).whole;
+  node().publications[id_] = this;
 }
 
 void PublicationImpl::end()
 {
-  if (!ended && node().ok)
-    rosspin::tell("unadvertise", {id_});
+  if (ended)
+    return;
   ended = true;
+  node().publications.erase(id_);
+  if (!node().ok)
+    return;
+  queue_->removeByID(reinterpret_cast<std::uintptr_t>(this));
+  rosspin::tell("unadvertise", {id_});
+}
+
+struct PublicationImpl::StatusCall : CallbackInterface
+{
+  SubscriberStatusCallback callback;
+  Tracked tracked;
+  SingleSubscriberPublisher to;
+  StatusCall(const SubscriberStatusCallback& callback, const Tracked& tracked, const SingleSubscriberPublisher& to)
+    : callback(callback), tracked(tracked), to(to)
+  {
+  }
+  CallResult call() override
+  {
+    VoidConstPtr held;
+    if (tracked.lives(held))
+      callback(to);
+    return Success;
+  }
+};
+
+void PublicationImpl::receive(bool connects, const std::string& name, std::int64_t link)
+{
+  const SubscriberStatusCallback& callback = connects ? connect_ : disconnect_;
+  if (!callback)
+    return;
+  call_due_timers();
+  SingleSubscriberPublisher to(topic, name, id_, link);
+  queue_->addCallback(
+      boost::make_shared<StatusCall>(callback, tracked_, to), reinterpret_cast<std::uintptr_t>(this));
 }
 
 void PublicationImpl::publish(const char* of, const std::string& bytes)
@@ -880,10 +935,7 @@ void PublicationImpl::publish(const char* of, const std::string& bytes)
         type.c_str());
     std::abort();
   }
-  rosspin::Value data;
-  data.kind = rosspin::Value::bytes;
-  data.string = bytes;
-  rosspin::tell("publish", {id_, data});
+  rosspin::tell("publish", {id_, data_of(bytes)});
 }
 
 std::uint32_t PublicationImpl::connections() const
@@ -979,14 +1031,6 @@ void SubscriptionImpl::receive(const boost::shared_ptr<Received>& message)
 namespace
 {
 constexpr std::int64_t find_service = 3'000'000;  // how long it takes, as for rospy's stand-in
-
-rosspin::Value data_of(const std::string& bytes)
-{
-  rosspin::Value data;
-  data.kind = rosspin::Value::bytes;
-  data.string = bytes;
-  return data;
-}
 }  // namespace
 
 struct ServiceImpl::Call : CallbackInterface
@@ -1238,9 +1282,10 @@ void NodeHandle::keep(const boost::shared_ptr<detail::Kept>& one)
   kept_.push_back(one);
 }
 
-Publisher NodeHandle::advertised(const std::string& topic, const char* type, std::uint32_t queue_size, bool latch)
+Publisher NodeHandle::advertise(AdvertiseOptions& options)
 {
-  auto impl = boost::make_shared<detail::PublicationImpl>(resolveName(topic), type, queue_size, latch);
+  auto impl = boost::make_shared<detail::PublicationImpl>(
+      resolveName(options.topic), options, options.callback_queue ? options.callback_queue : getCallbackQueue());
   keep(impl);
   return Publisher(impl);
 }
@@ -1308,6 +1353,31 @@ bool waitForService(const std::string& name, Duration timeout)
   return found;
 }
 }  // namespace service
+
+namespace master
+{
+bool getTopics(V_TopicInfo& topics)
+{
+  rosspin::look();
+  topics.clear();
+  for (const rosspin::Value& each : rosspin::ask("topics").items)
+    topics.push_back({each.items[0].string, each.items[1].string});
+  return true;
+}
+
+bool getNodes(V_string& nodes)
+{
+  rosspin::look();
+  nodes.clear();
+  return detail::read(rosspin::ask("nodes"), nodes);
+}
+}  // namespace master
+
+void SingleSubscriberPublisher::send(const std::string& bytes) const
+{
+  if (node().ok)
+    rosspin::tell("publish_to", {publication_, link_, data_of(bytes)});
+}
 
 void Publisher::send(const char* type, const std::string& bytes) const
 {

@@ -176,17 +176,21 @@ public:
   template<class M>
   Publisher advertise(const std::string& topic, std::uint32_t queue_size, bool latch = false)
   {
-    return advertised(topic, M::rosspin_type, queue_size, latch);
+    AdvertiseOptions options;
+    options.init<M>(topic, queue_size);
+    options.latch = latch;
+    return advertise(options);
   }
   template<class M>
   Publisher advertise(const std::string& topic, std::uint32_t queue_size, const SubscriberStatusCallback& connect,
       const SubscriberStatusCallback& disconnect = SubscriberStatusCallback(),
       const VoidConstPtr& tracked = VoidConstPtr(), bool latch = false)
-      ROSSPIN_NOT_SIMULATED("ros::NodeHandle::advertise with a callback for connections");
-  Publisher advertise(AdvertiseOptions& options)
   {
-    return advertised(options.topic, options.datatype.c_str(), options.queue_size, options.latch);
+    AdvertiseOptions options = AdvertiseOptions::create<M>(topic, queue_size, connect, disconnect, tracked, nullptr);
+    options.latch = latch;
+    return advertise(options);
   }
+  Publisher advertise(AdvertiseOptions& options);
 
   template<class P, class T>
   Subscriber subscribe(const std::string& topic, std::uint32_t queue_size, void (T::*callback)(P), T* object,
@@ -387,7 +391,6 @@ private:
     return subscribed(topic, detail::Adapter<P>::Message::rosspin_type, queue_size,
         detail::receiving<P>(std::move(callback)), tracked, nullptr);
   }
-  Publisher advertised(const std::string& topic, const char* type, std::uint32_t queue_size, bool latch);
   Subscriber subscribed(const std::string& topic, const char* type, std::uint32_t queue_size,
       std::function<void(detail::Received&)> receive, const VoidConstPtr& tracked, CallbackQueueInterface* queue,
       bool concurrent = false);
@@ -458,8 +461,8 @@ struct TopicInfo
   std::string name, datatype;
 };
 typedef std::vector<TopicInfo> V_TopicInfo;
-bool getTopics(V_TopicInfo& topics) ROSSPIN_NOT_SIMULATED("ros::master::getTopics");
-bool getNodes(V_string& nodes) ROSSPIN_NOT_SIMULATED("ros::master::getNodes");
+bool getTopics(V_TopicInfo& topics);
+bool getNodes(V_string& nodes);
 inline bool check() { return true; }
 inline std::uint32_t getPort() { return 11311; }
 inline const std::string& getURI()

@@ -17,17 +17,63 @@ public:
   TransportHints& maxDatagramSize(int) { return *this; }
 };
 
+// Publishes to one node that has subscribed.
 class SingleSubscriberPublisher
 {
 public:
-  explicit SingleSubscriberPublisher(const std::string& topic, const std::string& name) : topic_(topic), name_(name) {}
+  SingleSubscriberPublisher(const std::string& topic, const std::string& name, std::int64_t publication, std::int64_t link)
+    : topic_(topic), name_(name), publication_(publication), link_(link)
+  {
+  }
+  template<class M>
+  void publish(const M& message) const
+  {
+    if constexpr (serialization::IsMessage<M>::value)
+      send(serialization::serialized(message));
+    else
+      publish(*message);  // a pointer to one
+  }
   std::string getTopic() const { return topic_; }
   std::string getSubscriberName() const { return name_; }
 
 private:
+  void send(const std::string& bytes) const;
   std::string topic_, name_;
+  std::int64_t publication_, link_;
 };
 typedef boost::function<void(const SingleSubscriberPublisher&)> SubscriberStatusCallback;
+
+struct AdvertiseOptions
+{
+  AdvertiseOptions() = default;
+  template<class M>
+  void init(const std::string& name, std::uint32_t size,
+      const SubscriberStatusCallback& connect = SubscriberStatusCallback(),
+      const SubscriberStatusCallback& disconnect = SubscriberStatusCallback())
+  {
+    topic = name;
+    queue_size = size;
+    datatype = M::rosspin_type;
+    connect_cb = connect;
+    disconnect_cb = disconnect;
+  }
+  template<class M>
+  static AdvertiseOptions create(const std::string& name, std::uint32_t size, const SubscriberStatusCallback& connect,
+      const SubscriberStatusCallback& disconnect, const VoidConstPtr& tracked, CallbackQueueInterface* queue)
+  {
+    AdvertiseOptions options;
+    options.init<M>(name, size, connect, disconnect);
+    options.tracked_object = tracked;
+    options.callback_queue = queue;
+    return options;
+  }
+  std::string topic, datatype;
+  std::uint32_t queue_size = 0;
+  SubscriberStatusCallback connect_cb, disconnect_cb;
+  CallbackQueueInterface* callback_queue = nullptr;
+  VoidConstPtr tracked_object;
+  bool latch = false;
+};
 
 template<class M>
 class MessageEvent
@@ -68,16 +114,22 @@ namespace detail
 class PublicationImpl : public Kept
 {
 public:
-  PublicationImpl(const std::string& topic, const char* type, std::uint32_t queue_size, bool latch);
+  PublicationImpl(const std::string& topic, const AdvertiseOptions& options, CallbackQueueInterface* queue);
   ~PublicationImpl() override { end(); }
   void end() override;
   void publish(const char* type, const std::string& bytes);
   std::uint32_t connections() const;
+  // A node has connected by a link, or is gone.
+  void receive(bool connects, const std::string& node, std::int64_t link);
   std::string topic;
   std::string type;
   bool latch, ended = false;
 
 private:
+  struct StatusCall;
+  SubscriberStatusCallback connect_, disconnect_;
+  Tracked tracked_;
+  CallbackQueueInterface* queue_;
   std::int64_t id_;
 };
 
@@ -230,31 +282,6 @@ public:
 
 private:
   boost::shared_ptr<detail::SubscriptionImpl> impl_;
-};
-
-struct AdvertiseOptions
-{
-  AdvertiseOptions() = default;
-  template<class M>
-  void init(const std::string& name, std::uint32_t size)
-  {
-    topic = name;
-    queue_size = size;
-    datatype = M::rosspin_type;
-  }
-  template<class M>
-  static AdvertiseOptions create(const std::string& name, std::uint32_t size, const SubscriberStatusCallback&,
-      const SubscriberStatusCallback&, const VoidConstPtr&, CallbackQueueInterface*)
-  {
-    AdvertiseOptions options;
-    options.init<M>(name, size);
-    return options;
-  }
-  std::string topic, datatype;
-  std::uint32_t queue_size = 0;
-  CallbackQueueInterface* callback_queue = nullptr;
-  VoidConstPtr tracked_object;
-  bool latch = false;
 };
 
 struct SubscribeOptions
