@@ -136,7 +136,8 @@ class _ActionEnd:
             self._rosspin_names("send_goal", is_service=True)
         except NameValidationException as error:
             what = f"Failed to create action {self._rosspin_word} due to invalid topic name"
-            raise ValueError(f"{what} '{action_name}' : {error.error_msg}") from None
+            colons = ": :" if self._rosspin_word == "server" else ":"  # sources: rcl_action's two files
+            raise ValueError(f"{what} '{action_name}' {colons} {error.error_msg}") from None
         self.callback_group = group or node.default_callback_group
         self._executor_event = False
         self._futures: list[Future] = []

@@ -15,7 +15,12 @@ __all__ = ["Duration", "Infinite"]
 class Ordered:
     """A value that is compared by its ``nanoseconds``, and only with its own kind."""
 
-    nanoseconds: int
+    _rosspin_ns: int
+
+    @property
+    def nanoseconds(self) -> int:
+        """Its whole length, or time."""
+        return self._rosspin_ns
 
     def _rosspin_other(self, other: object) -> int | None:
         """Return the nanoseconds to compare with; None if ``other`` is of another kind."""
@@ -56,7 +61,7 @@ class Duration(Held, Ordered):
         total = int(seconds * NS) + int(nanoseconds)
         if not -(2**63) <= total < 2**63:
             raise OverflowError("Total nanoseconds value is too large to store in C duration.")
-        self.nanoseconds = total
+        self._rosspin_ns = total
 
     def __repr__(self) -> str:
         return f"Duration(nanoseconds={self.nanoseconds})"

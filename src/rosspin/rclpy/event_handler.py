@@ -184,10 +184,10 @@ class _EventCallbacks:
 
         def log_policy(info: QoSRequestedIncompatibleQoSInfo) -> None:
             policy = qos_policy_name_from_kind(info.last_policy_kind)
-            get_logger(end.node.logger_name).warning(self._rosspin_refusal.format(topic_name, policy))
+            get_logger(end.node.logger_name).warn(self._rosspin_refusal.format(topic_name, policy))
 
         def log_type(info: Any) -> None:
-            get_logger(end.node.logger_name).warning(
+            get_logger(end.node.logger_name).warn(
                 f"Incompatible type on topic '{topic_name}', no messages will be sent to it."
             )
 

@@ -264,14 +264,14 @@ class Executor:
         while True:
             if self._rosspin_round is None or self._rosspin_round_args != args:
                 self._rosspin_round_args = args
-                self._rosspin_round = self._rosspin_new_round(*args)
+                self._rosspin_round = self._wait_for_ready_callbacks(*args)
             try:
                 return next(self._rosspin_round)
             except StopIteration:
                 self._rosspin_round = None
 
-    def _rosspin_new_round(
-        self, timeout_sec: Any, nodes: list[Node] | None, condition: Callable[[], bool]
+    def _wait_for_ready_callbacks(
+        self, timeout_sec: Any = None, nodes: list[Node] | None = None, condition: Callable[[], bool] = _never
     ) -> Iterator[Entry]:
         seconds = timeout_sec.seconds if isinstance(timeout_sec, _Timeout) else timeout_sec
         timeout = -1 if seconds is None or seconds < 0 else int(float(seconds) * 1e9)

@@ -328,7 +328,8 @@ def get_logger(name: str) -> RcutilsLogger:
     """Return the logger with this name. Raises ValueError if the name is empty."""
     if not name:
         raise ValueError("Logger name must not be empty.")
-    return RcutilsLogger(name)
+    root = globals().get("_root_logger")  # a test may have put one there
+    return root.get_child(name) if root else RcutilsLogger(name)
 
 
 def __getattr__(name: str) -> Any:

@@ -40,7 +40,7 @@ _NAMESPACE: list[Rule] = [
     (r"[^\w/]", "namespace must not contain characters other than alphanumerics, '_', or '/'"),
     (r"/(/)", "namespace must not contain repeated '/'"),
     (r"/(\d)", "namespace must not have a token that starts with a number"),
-    (r"^.{244}(.).", "namespace should not exceed '245'"),
+    (r"^.{244}(.).", "namespace should not exceed 'RMW_NAMESPACE_MAX_NAME_LENGTH'"),
 ]
 _TOPIC: list[Rule] = [
     (r"^$", "topic name must not be empty string"),

@@ -128,13 +128,16 @@ class Node(Parameters):
         self._context = context or get_default_context()
         if not self._context.ok():
             raise NotInitializedException("cannot create node")
-        if not isinstance(node_name, str):
+        namespace = namespace or ""
+        if not isinstance(node_name, str | bytes | None) or not isinstance(namespace, str | bytes):
             signature = (
                 "Node(arg0: str, arg1: str, arg2: rclpy._rclpy_pybind11.Context, arg3: object, arg4: bool, arg5: bool)"
             )
-            raise not_accepted(signature, node_name, namespace or "", "Context", cli_args, use_global_arguments, True)
+            raise not_accepted(signature, node_name, namespace, "Context", cli_args, use_global_arguments, True)
+        if node_name is None:
+            raise RCLError("error creating node: name argument is null")
+        node_name, namespace = (text.decode() if isinstance(text, bytes) else text for text in (node_name, namespace))
         names.validate_node_name(node_name)
-        namespace = namespace or "/"
         namespace = namespace if namespace.startswith("/") else f"/{namespace}"
         names.validate_namespace(namespace)
         try:
@@ -237,11 +240,13 @@ class Node(Parameters):
         yield from self._publishers
 
     def _rosspin_add_event_publisher(self, end: PublisherEnd) -> None:
-        """Keep the publisher of /parameter_events, which is made when someone looks."""
+        """Keep the publisher of /parameter_events, which is made when someone looks, before all others."""
         events, group = PublisherEventCallbacks(), self._default_callback_group
         publisher = Publisher(end, end.msg_type, end.end.topic, end.qos_profile, events, group)
+        later, self._rosspin_events = self._rosspin_events, []
         self._rosspin_expect(publisher.event_handlers)
-        self._publishers.append(publisher)
+        self._rosspin_events += later
+        self._publishers.insert(0, publisher)
         self._parameter_event_publisher = publisher
 
     @property
@@ -272,6 +277,7 @@ class Node(Parameters):
     @property
     def waitables(self) -> Iterator[EventHandler | ActionServer | ActionClient]:
         """The events of its publishers and subscriptions, its action servers and action clients."""
+        self._rosspin.topics.make(own_topics.PARAMETER_EVENTS)
         yield from self._rosspin_events
         yield from (waitable for waitable in self._rosspin_waitables if waitable not in self._rosspin_events)
 

@@ -39,10 +39,15 @@ class Time(Held, Ordered):
             raise ValueError("Seconds value must not be negative")
         if nanoseconds < 0:
             raise ValueError("Nanoseconds value must not be negative")
-        self.nanoseconds = int(seconds * NS) + int(nanoseconds)
-        self.clock_type = clock_type
-        if self.nanoseconds >= 2**63:
+        self._rosspin_ns = int(seconds * NS) + int(nanoseconds)
+        self._rosspin_type = clock_type
+        if self._rosspin_ns >= 2**63:
             raise OverflowError("Total nanoseconds value is too large to store in C time point.")
+
+    @property
+    def clock_type(self) -> ClockType:
+        """The kind of clock that tells it."""
+        return self._rosspin_type
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
         """Whole seconds, and the nanoseconds beyond them."""

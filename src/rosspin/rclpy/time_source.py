@@ -52,16 +52,19 @@ class TimeSource:
             clock._set_ros_time_is_active(enabled)
         if not enabled:
             self._rosspin_unsubscribe()
-        elif (node := self._node_weak_ref()) is not None:
+        elif (node := self._get_node()) is not None:
             qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
             kind = import_module("rosgraph_msgs.msg").Clock
             self._clock_sub = node.create_subscription(kind, CLOCK_TOPIC, self.clock_callback, qos)
 
     def _rosspin_unsubscribe(self) -> None:
-        node = self._node_weak_ref()
+        node = self._get_node()
         if node is not None and self._clock_sub is not None:
             node.destroy_subscription(self._clock_sub)
         self._clock_sub = None
+
+    def _get_node(self) -> Node | None:
+        return self._node_weak_ref()
 
     def attach_node(self, node: Node) -> None:
         """Follow the parameter ``use_sim_time`` of a node, and /clock by it."""
@@ -103,6 +106,6 @@ class TimeSource:
                     self.ros_time_is_active = parameter.value
                 else:
                     reason = "use_sim_time parameter set to something besides a bool"
-                    if (node := self._node_weak_ref()) is not None:
+                    if (node := self._get_node()) is not None:
                         node.get_logger().error(reason)
         return import_module("rcl_interfaces.msg").SetParametersResult(successful=not reason, reason=reason)

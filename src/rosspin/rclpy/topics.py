@@ -73,7 +73,7 @@ class TopicEnd(Owner):
     MATCHED: IntEnum
 
     def _handler(self, event_type: IntEnum) -> EventHandler | None:
-        handlers = getattr(self.entity(), "event_handlers", ())
+        handlers = getattr(self.entity(), "_rosspin_handlers", ())
         return next((handler for handler in handlers if handler.event_type is event_type), None)
 
     def tell(self, event_type: IntEnum, policy: QoSPolicyKind = QoSPolicyKind.INVALID, **changes: int) -> None:
@@ -418,7 +418,8 @@ class Publisher(_OnTopic):
         self.msg_type = msg_type
         self.topic = topic  # the name that the node gave
         self.qos_profile = qos_profile
-        self.event_handlers = event_callbacks.create_event_handlers(callback_group, publisher_impl, topic)
+        self._rosspin_handlers = event_callbacks.create_event_handlers(callback_group, publisher_impl, topic)
+        self.event_handlers = self._rosspin_handlers
         publisher_impl.begin()
 
     def publish(self, msg: Message | bytes) -> None:
@@ -485,7 +486,8 @@ class Subscription(_OnTopic):
         self._executor_event = False
         self.qos_profile = qos_profile
         self.raw = raw
-        self.event_handlers = event_callbacks.create_event_handlers(callback_group, subscription_impl, topic)
+        self._rosspin_handlers = event_callbacks.create_event_handlers(callback_group, subscription_impl, topic)
+        self.event_handlers = self._rosspin_handlers
         subscription_impl.begin()
 
     @property
