@@ -136,7 +136,7 @@ writeFileSync(
 `,
 )
 
-// Loaded when a listing is touched, or an answer is to be judged. What runs code knows each file that it starts from.
+// Loaded when a listing is touched, or an answer judged. What runs code knows each file that it starts from.
 const sealed = ["pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip", "snapshot.gz"]
   .concat(["sandbox.html", "worker.js", "cpp.js", "clang.js"])
   .map((name) => [name, sha256(readFileSync(path.join(out, name)))])
@@ -191,7 +191,7 @@ const licences = [...used].sort().map((name) => {
 })
 // Pyodide is CPython, compiled, with its standard library.
 licences.push(`Python: PSF-2.0\n\n${readFileSync(path.join(here, "licences/PSF-2.0.txt"), "utf8")}`)
-// The compiler is LLVM, with its C++ library, which programs have in them, too, and that of C, which comes from musl.
+// The compiler is LLVM, with its C++ library, which programs contain, too, and a C library, which comes from musl.
 licences.push(`LLVM: Apache-2.0\n\n${readFileSync(path.join(here, "licences/Apache-2.0.txt"), "utf8")}`)
 licences.push(`musl: MIT\n\n${readFileSync(path.join(here, "licences/musl-MIT.txt"), "utf8")}`)
 const installed = path.dirname(yaml)

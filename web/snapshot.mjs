@@ -26,7 +26,7 @@ function watch() {
   return promise
 }
 
-/** The bytes of a snapshot of the Python in the folder `pyodide`, with our own files in `zip`; `info` is that of its lock file. */
+/** The bytes of a snapshot of the Python in the folder `pyodide`, with our own files in `zip`; `info` is from its lock file. */
 export async function snapshot(pyodide, zip, info) {
   const { loadPyodide } = await import(pathToFileURL(path.join(pyodide, "pyodide.mjs")))
   const fresh = watch()
@@ -35,7 +35,7 @@ export async function snapshot(pyodide, zip, info) {
   install(python, readFileSync(zip))
   python.runPython(readFileSync(path.join(import.meta.dirname, "snapshot.py"), "utf8"))
   wipe(python._module)
-  if (python._module.HEAP8 !== HEAP8) throw new Error("what the snapshot is to hold does not fit into Python's first memory")
+  if (python._module.HEAP8 !== HEAP8) throw new Error("what the snapshot should hold does not fit into Python's first memory")
   return pack(python.makeMemorySnapshot(), await fresh)
 }
 

@@ -1,5 +1,5 @@
 // A C++ node as a page's Python runs it beside others, without a page: node --experimental-wasm-jspi beside_in_page.mjs PROGRAM.
-// For each line of standard input, with which it goes on, a line of JSON: its batches, the ticks in base64.
+// For each line of standard input, with which it continues, a line of JSON: its batches, the ticks in base64.
 
 import { readFileSync } from "node:fs"
 import { createInterface } from "node:readline"

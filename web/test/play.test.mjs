@@ -16,7 +16,7 @@ test("it plays when it is told to, and stands still when it is paused", () => {
   assert.equal(play.at(201), 5)
 })
 
-test("it pauses at its end, and begins anew from there", () => {
+test("it pauses at its end, and begins again from there", () => {
   const play = new Play(12)
   play.toggle(0)
   assert.deepEqual([play.at(13), play.plays], [12, false])
@@ -24,7 +24,7 @@ test("it pauses at its end, and begins anew from there", () => {
   assert.equal(play.at(21), 1)
 })
 
-test("told to play at its end, before it was looked at, it begins anew", () => {
+test("told to play at its end, before it was looked at, it begins again", () => {
   const play = new Play(12)
   play.toggle(0)
   play.toggle(50)

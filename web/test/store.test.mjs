@@ -117,7 +117,7 @@ test("a clock that is set back makes nothing newer older", () => {
   assert.equal(open().of("ten-hertz").text, "second")
 })
 
-test("ids can be any names, and nobody's key is another's", () => {
+test("ids can be any names, and no two have the same key", () => {
   const store = open("/course/")
   for (const id of ["first-ticks", "first", "the-first-ticks", "constructor", "__proto__"]) store.of(id).write(`of ${id}`)
   open("/").of("first-ticks").write("another site's")
@@ -320,7 +320,7 @@ for (const spoilt of SPOILT) {
 
 const answered = (name, text) => `%%answer ${name}\n${text}\n`
 
-test("what earlier versions of the site kept is taken over, that of the cell as it is now first", () => {
+test("what earlier versions of the site kept is taken over, first for the cell as it is now", () => {
   Object.assign(storage, {
     "rosspin:/notebooks/exercises.html:3:aa": answered(4, "oldest"),
     "rosspin:/notebooks/exercises.html:4:bb": answered(4, "newest"),
@@ -354,7 +354,7 @@ test("one that was solved and reset is still solved", () => {
   assert.deepEqual(handedIn(store), {})
 })
 
-test("those of other pages are handed in before their page is opened, and of other sites never", () => {
+test("answers of other pages are handed in before their page is opened, of other sites never", () => {
   storage["rosspin:/course/notebooks/ros2-exercises.html:0:1a"] = answered(20, "mine")
   storage["rosspin:/other/notebooks/ros2-exercises.html:0:1a"] = answered(21, "another site's")
   const store = open("/course/")
@@ -363,7 +363,7 @@ test("those of other pages are handed in before their page is opened, and of oth
   assert.deepEqual(handedIn(store), {})
 })
 
-test("what is not kept anew is not taken away", () => {
+test("what is not kept again is not taken away", () => {
   const old = answered(4, "x".repeat(500))
   const text = answered("ten-hertz", "x".repeat(500))
   storage["rosspin:/notebooks/exercises.html:4:bb"] = old
@@ -375,7 +375,7 @@ test("what is not kept anew is not taken away", () => {
   assert.equal(storage["rosspin:/notebooks/exercises.html:4:bb"], old)
 })
 
-test("an earlier version of the site in another tab goes on writing: nothing is lost, no newer text hidden", () => {
+test("an earlier version of the site in another tab continues to write: nothing is lost, no newer text hidden", () => {
   const key = "rosspin:/notebooks/exercises.html:4:bb"
   storage[key] = answered(4, "first")
   open().adopt("ten-hertz", "bb")

@@ -31,16 +31,16 @@ class Ended extends Error {
 
 /**
  * A node of `ros`, in the file `name`, that runs for `seconds` with these `words` on its command line. What it does is told
- * to `shown`: `print(text, isError)`, `begin(tick)` for each tick, and `pace(now)` before the time goes on to `now` (s) if
+ * to `shown`: `print(text, isError)`, `begin(tick)` for each tick, and `pace(now)` before the time advances to `now` (s) if
  * it is `paced`, which may take a while.
  */
 export class Alone extends Node {
-  /** Each [source, number, expected, real, duration], times in s; duration -1: it goes on. */
+  /** Each [source, number, expected, real, duration], times in s; duration -1: it still runs. */
   ticks = []
   foreseen = [] // those that would have come next
   periods = new Map() // (s) by source
   #names = []
-  #going = [] // the ticks that go on, by their numbers
+  #going = [] // the ticks that still run, by their numbers
   #events = []
   #signals = []
   #over = false // whatever it still does is no part of the run
@@ -176,7 +176,7 @@ export class Alone extends Node {
     this.#finish(1)
   }
 
-  /** Let the time go on to when the node wakes, or to Ctrl-C. What is due when that comes still runs. */
+  /** Advance the time to when the node wakes, or to Ctrl-C. What is due when that comes still runs. */
   #wait(wake) {
     const { shared } = this
     const last = this.#pressed ? this.#killed : this.#until

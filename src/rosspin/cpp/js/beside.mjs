@@ -14,7 +14,7 @@ export class Beside {
   }
 
   /**
-   * Let the node begin, or go on with the host's answer (JSON): a promise of the batches until it waits, or has ended.
+   * Begin the node, or continue it with the host's answer (JSON): a promise of the batches until it waits, or has ended.
    * In each the ticks are bytes, and the `text` is JSON of the rest: see node.mjs.
    */
   goOn(text) {

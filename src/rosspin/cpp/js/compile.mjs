@@ -1,7 +1,7 @@
 // Compiles C++ to WebAssembly: node compile.mjs CLANG, with requests on standard input until it ends, each a line of JSON:
 // { steps: [{ args, inputs: { "path in the compiler's world": "file" }, outputs: { "path": "file" } }] }
 // The answer is a line on standard output: { said, status } of the compiler, which ends at the first step that fails.
-// A compiler needs half a gigabyte, so it ends when nobody has asked for a minute.
+// A compiler needs half a gigabyte, so it ends when it was not used for a minute.
 
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from "node:fs"
 import path from "node:path"

@@ -1,4 +1,4 @@
-// A C++ node as a process of a host: what happens in it is told in batches, and it asks the host to let time go on.
+// A C++ node as a process of a host: what happens in it is told in batches, and it asks the host to advance the time.
 //
 // A batch is { log, ticks?, now, wake, asks?, status?, trap? }. `log` is what happened since the last one, in order:
 // ["out", fd, text (a character a byte)], ["source", name, period], ["end", tick, duration] of a tick that was told in an
@@ -25,7 +25,7 @@ export class Node {
     this.start = BigInt(start)
     this.ahead = BigInt(ahead)
     this.log = []
-    this.coming = [] // what the program is to be told as soon as it waits
+    this.coming = [] // what the program is told as soon as it waits
     this.sources = 0
     this.draw = mulberry(seed)
     this.module = module

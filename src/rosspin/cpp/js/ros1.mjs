@@ -6,7 +6,7 @@ export class Ros1 {
   #hasRosout = false
   #publications = []
   #subscriptions = []
-  #services = new Map() // their names and those of their requests
+  #services = new Map() // their names, and the names of their requests
   #calls = [] // the numbers that the node has for them
   #parameters = {}
   #event

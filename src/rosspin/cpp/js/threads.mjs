@@ -1,4 +1,4 @@
-// The threads of a program: each has a stack of its own, which is suspended (JSPI) while another goes on. Which one that
+// The threads of a program: each has a stack of its own, which is suspended (JSPI) while another runs. Which one that
 // is, the program says (see runtime/threads.cpp).
 
 /** Whether a program begins threads, and can do so here. */
@@ -10,7 +10,7 @@ export class Threads {
   /** A promise that fails as soon as a thread does: that has ended the program. */
   failed
   #fail
-  #goOn = new Map() // how each goes on that waits, by its number
+  #goOn = new Map() // how each one that waits continues, by its number
 
   constructor(program) {
     this.failed = new Promise((_, reject) => (this.#fail = reject))

@@ -10,7 +10,7 @@ const NOSYS = 52
 
 // A program that reads the clock so often without waiting waits by reading it: from then on each look takes 1 µs, and ten
 // times as long each time that it has looked so often again, up to 1 ms (see runtime/host.cpp). To print
-// is to look, too.
+// counts as a look, too.
 const LOOKS = 10_000
 const LOOK = [0n, 1_000n, 10_000n, 100_000n, 1_000_000n]
 
@@ -48,7 +48,7 @@ const SUSPENDED = {
 
 /**
  * One program. `link` is what it shares with others: `link.begin(shared)` sets its time, `link.write(fd, bytes)` takes
- * what it prints, `link.sleep(until)` takes the steps in which the time goes on to `until` (bigint, ns) and may come back
+ * what it prints, `link.sleep(until)` takes the steps in which the time advances to `until` (bigint, ns) and may come back
  * earlier, with something for the program to do; `link.exchange` is the host's, and `link.random(bytes)` fills bytes.
  */
 export class Program {
@@ -217,7 +217,7 @@ export class Program {
       },
       fd_read: (fd, _list, _count, read) => {
         if (fd) return BADF
-        this.#view.setUint32(read, 0, true) // nobody types
+        this.#view.setUint32(read, 0, true) // there is no keyboard
         return SUCCESS
       },
       fd_write: out(function* (fd, list, count, written) {
