@@ -27,6 +27,8 @@ from .times import rounded, seconds
 __all__ = ["difference", "setup"]
 
 _ANSWER = re.compile(r"%%answer (\S+)\n")
+# An answer of fewer lines stays in view while one reads the node that it is about, unless that can be run.
+_FEW_LINES = 8
 _LINK = re.compile(r'(?<= )(href|src)="(?!\w+:)([^"]*)"')
 _TEACHERS = {lesson.exercise.name for lesson in LESSONS if lesson.file.parent == FOLDER}
 
@@ -72,10 +74,14 @@ def _raw(text: str) -> nodes.raw:
 def _alone(exercise: _Exercise, following: str) -> nodes.section:
     """Turn a section into a page, which leads on below the answer."""
     section = nodes.section("", nodes.title("", exercise.title), ids=exercise.section["ids"])
+    alone = sum("live" in listing["classes"] for listing in exercise.section.findall(nodes.literal_block)) == 1
     for part in exercise.section.children[1:]:
         section += part
-        if any(_ANSWER.match(listing.astext()) for listing in part.findall(nodes.literal_block)):
+        answers = [text for listing in part.findall(nodes.literal_block) if _ANSWER.match(text := listing.astext())]
+        if answers:
             section += _raw(following)
+        if alone and any(text.count("\n") < _FEW_LINES for text in answers):
+            cast(nodes.Element, part)["classes"].append("exercise-few-lines")
     return section
 
 

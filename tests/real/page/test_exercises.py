@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from answers import CELLS, NOTEBOOKS, ON_PAGE, answer_in, number_of
@@ -89,6 +90,18 @@ def test_the_task_the_listing_and_run_are_on_one_screen(browser: Browser, addres
         for part in page.locator("h1"), cell.element.locator("pre").first, cell.button("Run"):
             expect(part).to_be_in_viewport()
         assert page.evaluate("document.documentElement.scrollWidth") == width
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 800), (390, 844)])
+def test_a_run_is_in_view_on_each_exercise(browser: Browser, address: str, site: Path, width: int, height: int) -> None:
+    """Without scrolling: of the answer, or of the node that it is about; and nothing is wider than the screen."""
+    with reader(browser, viewport={"width": width, "height": height}) as context:
+        page, wide = context.new_page(), []
+        for file in sorted((site / "exercises").glob("*.html")):
+            page.goto(f"{address}exercises/{file.name}")
+            expect(page.get_by_role("button", name=re.compile("^Run ")).first, file.name).to_be_in_viewport(ratio=1)
+            wide += [file.name] * (page.evaluate("document.documentElement.scrollWidth") != width)
+        assert not wide
 
 
 def test_links_to_the_list_lead_to_the_exercise(page: Page, address: str) -> None:
