@@ -91,6 +91,8 @@ def _mark_cells(app: Sphinx, doctree: nodes.document) -> None:
         if "tag_live" in cell["classes"]:
             code = next(cell.findall(nodes.literal_block))
             code["classes"].append("live")
+        if cell.get("hide_mode") == "output":  # which is a figure wherever the code is shown
+            cell["prompt_show"], cell["prompt_hide"] = "Show the figure", "Hide the figure"
 
 
 def _live_listings(app: Sphinx, doctree: nodes.document | None) -> list[nodes.literal_block]:

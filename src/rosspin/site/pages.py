@@ -414,7 +414,8 @@ class NamesDirective(SphinxDirective):
                 lacking: dict[str, list[str]] = {}
                 for name, what in sorted(stand_in.IN_PART.items()):
                     lacking.setdefault(what, []).append(name)
-                text = _table("Names", "What is different", rows=[(_code(*lacking[what]), what) for what in lacking])
+                rows = [(_code(*lacking[what]), what) for what in lacking]
+                text = _table("Names", "What is different", rows=rows, widths="50 50")
             case _:
                 missing = rospy.NOT_SIMULATED if module == "rospy" else _rclpy_lacks()
                 text = _code(*sorted(missing, key=str.lower))
@@ -495,9 +496,9 @@ def moved(app: Sphinx, env: BuildEnvironment, added: set[str], changed: set[str]
     return [page for page, (packages, described) in shown if machine.describe(packages) != described]
 
 
-def _table(*headings: str, rows: Iterable[Iterable[str]]) -> str:
+def _table(*headings: str, rows: Iterable[Iterable[str]], widths: str = "auto") -> str:
     def lines() -> Iterator[str]:
-        yield from (".. list-table::", "   :header-rows: 1", "   :widths: auto", "")
+        yield from (".. list-table::", "   :header-rows: 1", f"   :widths: {widths}", "")
         for row in (headings, *rows):
             for column, cell in enumerate(row):
                 yield f"   {' ' if column else '*'} - {cell}"
