@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from cpp_in_page import scenarios_are_like
 from cpp_probes import differences
 from cpp_scenarios import FOLDER, SECONDS, compared, recorded
 from rclcpp_nodes import read_ticks
@@ -103,7 +104,7 @@ def test_python_asks_for_parameters_of_cpp(write: Write) -> None:
     assert run.console.splitlines()[:2] == ["[0, 5]", "/holder [('whole', 6)]"]
 
 
-SCENARIOS = {file: recorded(f"{file}.txt") for file in ("ros2", "ros2_threads")}
+SCENARIOS = {file: recorded(f"{file}.txt") for file in ("ros2", "ros2_topics", "ros2_threads")}
 
 
 @pytest.mark.parametrize(("file", "name"), [(file, name) for file, names in SCENARIOS.items() for name in names])
@@ -112,7 +113,12 @@ def test_a_scenario_gives_what_rclcpp_would(file: str, name: str) -> None:
     assert compared(run.console, run.status) == SCENARIOS[file][name]
 
 
-@pytest.mark.parametrize(("file", "most"), [("ros2", 60), ("ros2_threads", 20)])
+@pytest.mark.parametrize("file", SCENARIOS)
+def test_a_page_says_the_same_of_each_scenario(file: str, tmp_path: Path) -> None:
+    scenarios_are_like(file, tmp_path)
+
+
+@pytest.mark.parametrize(("file", "most"), [("ros2", 36), ("ros2_topics", 32), ("ros2_threads", 20)])
 def test_each_scenario_has_its_lines(file: str, most: int) -> None:
     assert simulate(FOLDER / f"{file}.cpp", 1.0).console.split() == list(SCENARIOS[file])
     assert len(SCENARIOS[file]) >= most

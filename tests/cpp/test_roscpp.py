@@ -9,6 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from cpp_in_page import scenarios_are_like
 from cpp_probes import differences
 from cpp_scenarios import FOLDER, SECONDS, compared, recorded, words
 from tree import ROOT
@@ -29,6 +30,11 @@ PROBE = ROOT / "examples" / "timing_probes" / "src" / "timer_probe.cpp"
 def test_a_scenario_gives_what_it_gave_on_the_real_one(file: str, name: str) -> None:
     run = simulate(FOLDER / f"{file}.cpp", SECONDS, words(name), start=1_000.0)
     assert compared(run.console, run.status) == SCENARIOS[file][name]
+
+
+@pytest.mark.parametrize("file", SCENARIOS)
+def test_a_page_says_the_same_of_each_scenario(file: str, tmp_path: Path) -> None:
+    scenarios_are_like(file, tmp_path)
 
 
 # Those of timers in a node that spins at once in one thread.

@@ -17,7 +17,7 @@ import yaml
 from answers import CELLS
 from tree import ROOT
 
-pytestmark = pytest.mark.shares(5)
+pytestmark = pytest.mark.shares(6)
 
 EXAMPLES = ROOT / "examples/grading"
 

@@ -119,13 +119,13 @@ def test_no_attack_gets_in(user: str, folder: Path) -> None:
 
 # What a node in C++ does at its start, and lines above it.
 IN_A_PROGRAM = {
-    "files": 'for (const char* name : {"/etc/passwd", "FOLDER/secret", "/build/cpp", "/dev/null", "."})\n'
-    '  if (std::fopen(name, "r")) std::printf("IN %s\\n", name);',
-    "folders": 'if (std::filesystem::exists("/") || std::filesystem::exists(".")) std::puts("IN");',
-    "writes": 'if (std::ofstream("x") << "x" << std::flush) std::puts("IN");',
-    "environment": 'if (std::getenv("SECRET") || std::getenv("HOME") || std::getenv("PATH")) std::puts("IN");',
-    "standard input": 'if (std::getchar() != EOF) std::puts("IN");',
-    "its host": 'std::printf("{\\"status\\":0,\\"log\\":[],\\"now\\":\\"0\\"}\\n");',
+    "what there is": 'for (const char* name : {"/etc/passwd", "FOLDER/secret", "/build/cpp", "/dev/null", "."})\n'
+    '  if (std::fopen(name, "r")) std::printf("IN %s\\n", name);\n'
+    'if (std::filesystem::exists("/") || std::filesystem::exists(".")) std::puts("IN folders");\n'
+    'if (std::ofstream("x") << "x" << std::flush) std::puts("IN writes");\n'
+    'if (std::getenv("SECRET") || std::getenv("HOME") || std::getenv("PATH")) std::puts("IN environment");\n'
+    'if (std::getchar() != EOF) std::puts("IN standard input");\n'
+    'std::printf("{\\"status\\":0,\\"log\\":[],\\"now\\":\\"0\\"}\\n");  // as its host says it',
     "the stack": "std::function<int(int)> f = [&](int n) { return f(n + 1) + 1; }; std::exit(f(0));",
     "memory": "for (;;) std::memset(std::malloc(1 << 20), 1, 1 << 20);",
     "no end at Ctrl-C": "signal(SIGINT, SIG_IGN); for (;;) rclcpp::sleep_for(std::chrono::seconds(1));",
@@ -158,8 +158,7 @@ def test_no_attack_in_cpp_gets_in(user: str, folder: Path) -> None:
     assert {name: answers[f"{name} 2"]["verdict"] for name in attacks} == dict.fromkeys(attacks, "solved")
     tried = {name: answers[f"{name} 1"] for name in attacks}
     assert {name: got_in(answer["said"]) for name, answer in tried.items()} == dict.fromkeys(attacks, [])
-    fine = {"files", "folders", "writes", "environment", "standard input", "its host"}
-    assert {name for name, answer in tried.items() if answer["solved"]} == fine
+    assert {name for name, answer in tried.items() if answer["solved"]} == {"what there is"}
     assert not obeyed and "TOPSECRET" not in json.dumps(found)
 
 

@@ -12,7 +12,7 @@ from playwright.sync_api import Page, expect
 from rosspin.exercises import EXERCISES, check
 from rosspin.exercises.own import Lesson
 
-pytestmark = pytest.mark.shares(2)
+pytestmark = pytest.mark.shares(3)
 
 PAGE = "notebooks/drive.html"
 

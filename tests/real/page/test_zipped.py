@@ -22,7 +22,7 @@ from tree import ROOT
 
 from rosspin.site.zipped import START
 
-pytestmark = pytest.mark.shares(5)
+pytestmark = pytest.mark.shares(6)
 
 
 @pytest.fixture(scope="module")

@@ -10,9 +10,7 @@ import { setFlagsFromString } from "node:v8"
 
 import { Compiler } from "./llvm.mjs"
 
-// To optimise the compiler itself takes longer than it then saves. Nor is garbage to be collected each time that its
-// memory has grown, which a newer V8 can be told.
-setFlagsFromString("--liftoff-only")
+// Garbage need not be collected each time that the compiler's memory has grown, which a newer V8 can be told.
 if (Number.parseInt(process.versions.node) >= 24) setFlagsFromString("--external-memory-accounted-in-global-limit")
 
 const brought = (name) => readFileSync(path.join(process.argv[2], "gen", name))
