@@ -481,6 +481,11 @@ def test_a_run_with_threads_is_the_same_each_time() -> None:
     [
         ('"tf/transform_listener.h"', "", "tf/transform_listener.h"),
         ("<ros/package.h>", 'ros::package::getPath("roscpp");', "ros::package::getPath"),
+        ("<sched.h>", "cpu_set_t set;", "cpu_set_t"),
+        ("<sched.h>", "sched_setscheduler(0, SCHED_FIFO, nullptr);", "SCHED_FIFO"),
+        ("<sys/mman.h>", "mlockall(MCL_CURRENT);", "sys/mman.h"),
+        ("<semaphore.h>", "sem_t one; sem_init(&one, 0, 1);", "sem_init"),
+        ("<unistd.h>", "if (fork()) return 0;", "fork"),
     ],
 )
 def test_what_has_no_stand_in_is_named(write: Write, include: str, body: str, name: str) -> None:

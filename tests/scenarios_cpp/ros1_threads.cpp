@@ -7,6 +7,7 @@
 #include <future>
 #include <map>
 #include <mutex>
+#include <pthread.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <shared_mutex>
@@ -27,6 +28,23 @@ void say(const std::string& what)
 }
 
 void work(double seconds) { ros::WallDuration(seconds).sleep(); }
+
+thread_local int calls = 10;
+
+// Says when it begins to live, and when it ends.
+struct Life
+{
+  explicit Life(const std::string& name) : name(name) { say(name + " begins"); }
+  ~Life() { name.empty() ? void(std::puts("ends")) : say(name + " ends"); }  // without a name, when the node is gone
+  std::string name;
+};
+thread_local Life life("life");
+
+int called()
+{
+  thread_local int last = 100;
+  return ++last + ++calls;
+}
 
 std::chrono::milliseconds ms(int count) { return std::chrono::milliseconds(count); }
 
@@ -318,6 +336,95 @@ std::map<std::string, Scenario> scenarios()
           std::exit(7);
         });
     leaves.join();
+  };
+  all["thread_locals"] = [](NodeHandle&)
+  {
+    say("main " + std::to_string(called()));
+    std::vector<std::thread> threads;
+    for (int each = 0; each < 2; each++)
+      threads.emplace_back([each]
+          {
+            work(0.2 + 0.1 * each);
+            for (int time = 0; time < 3; time++, work(0.4))
+              say(std::to_string(each) + " " + std::to_string(called()));
+          });
+    work(0.9);
+    say("main " + std::to_string(called()));
+    for (std::thread& each : threads)
+      each.join();
+    int* own = &calls;
+    std::thread([&] { say(own == &calls ? "the same" : "others"); *own = 5; }).join();
+    say(std::to_string(calls));
+  };
+  all["thread_locals_end"] = [](NodeHandle&)
+  {
+    life.name = "";
+    std::thread thread([]
+        {
+          thread_local Life first("first");
+          life.name = "of the thread";
+          work(0.5);
+          say("returns");
+        });
+    work(0.2);
+    say(life.name.empty() ? "its own" : life.name);
+    thread.join();
+    std::thread([] { say("nothing begins"); }).join();
+  };
+  all["pthread_exit"] = [](NodeHandle&)
+  {
+    pthread_t thread;
+    auto run = [](void* value) -> void*
+    {
+      Life inner("inner");
+      work(0.5);
+      pthread_exit(value);
+    };
+    int one = 1;
+    pthread_create(&thread, nullptr, run, &one);
+    void* value = nullptr;
+    pthread_join(thread, &value);
+    say(value == &one ? "joined" : "nothing");
+  };
+  all["pthread_exit_of_main"] = [](NodeHandle&)
+  {
+    Life inner("inner");
+    std::thread([] { work(1.0); say("still there"); }).detach();
+    pthread_exit(nullptr);
+  };
+  all["read_write_lock"] = [](NodeHandle&)
+  {
+    pthread_rwlock_t lock;
+    pthread_rwlock_init(&lock, nullptr);
+    pthread_rwlock_rdlock(&lock);
+    std::thread reads([&]
+        {
+          work(0.2);
+          pthread_rwlock_rdlock(&lock);
+          say("reads, too");
+          work(0.8);
+          pthread_rwlock_unlock(&lock);
+        });
+    std::thread writes([&]
+        {
+          work(0.5);
+          say(pthread_rwlock_trywrlock(&lock) ? "busy" : "free");
+          pthread_rwlock_wrlock(&lock);
+          say("writes");
+          work(0.5);
+          say("has written");
+          pthread_rwlock_unlock(&lock);
+        });
+    work(0.7);
+    pthread_rwlock_unlock(&lock);
+    work(0.6);
+    say(pthread_rwlock_tryrdlock(&lock) ? "busy" : "free");
+    pthread_rwlock_rdlock(&lock);
+    say("reads");
+    pthread_rwlock_unlock(&lock);
+    reads.join();
+    writes.join();
+    pthread_rwlock_destroy(&lock);
   };
   all["call_once"] = [](NodeHandle&)
   {

@@ -44,7 +44,9 @@ NODE = ""
 # Exceptions are WebAssembly's. Whatever uses a null pointer ends there, as on a computer; in the memory of a
 # program here, it would be as good as any other.
 _FLAGS = ["--target=wasm32-wasip1", "-std=gnu++17", "-Os", "-fwasm-exceptions", "-w", "-fno-color-diagnostics"]
-_FLAGS += ["-D_WASI_EMULATED_SIGNAL", "-D_WASI_EMULATED_PROCESS_CLOCKS", "-D_WASI_EMULATED_GETPID", "-Iinclude"]
+# Without atomics, `thread_local` would mean nothing. They cost nothing here, as one thread runs at a time.
+_FLAGS += ["-matomics", "-Iinclude"]
+_FLAGS += ["-D_WASI_EMULATED_SIGNAL", "-D_WASI_EMULATED_PROCESS_CLOCKS", "-D_WASI_EMULATED_GETPID"]
 # As g++ without options, a number that is narrowed, a `register`, and a function that lacks its return are let pass.
 _FLAGS_NODE = ["-fsanitize=null", "-fsanitize-trap=null", "-ferror-limit=5"]
 _FLAGS_NODE += ["-Wno-c++11-narrowing", "-Wno-register", "-fno-strict-return"]
@@ -54,7 +56,7 @@ _LINK += ["-lc++", "-lc++abi", "-lc", "/usr/lib/wasm32-unknown-wasip1/libclang_r
 _LINK += ["--export=__cpp_exception", "--export=malloc", "--export=rosspin_shared", "--export-table"]
 _LINK += ["-z", "stack-size=8388608", "--stack-first", "--max-memory=1073741824"]
 
-# The files of the runtime that have no ROS, and each ROS's.
+# The files of the runtime that have no ROS, the last that is linked at the end, and each ROS's.
 _RUNTIMES = ("exceptions", "host", "threads")
 _OF_RUNTIME = ("include/rosspin/format.h", "include/rosspin/host.h")  # all that those include
 _RUNTIME_OF = {1: "roscpp", 2: "rclcpp"}
@@ -62,8 +64,16 @@ ROSES = tuple(_RUNTIME_OF)
 _ROOTS = {"ros": 1, "rclcpp": 2, "rclcpp_components": 2}
 
 _MISSING = re.compile(r"fatal error: '([^']+)' file not found")
+_ERROR = re.compile(r"error: (.*)")
 _UNAVAILABLE = re.compile(r"error: .* is unavailable: (.+) is not simulated; run this node on a real ROS")
-_UNDEFINED = re.compile(r"wasm-ld: error: .*undefined symbol: (.*)")
+# What a system has that programs here have not, as the first error names it.
+_OF_SYSTEM = re.compile(
+    r"use of undeclared identifier '((?:pthread|sched|sig|mlock|munlock)\w+|(?:SCHED|CPU|MCL|RUSAGE)_\w+"
+    r"|alarm|execv?p?|fork|getppid|kill|pause|popen|setitimer|waitpid)'"
+    r"|incomplete type '(cpu_set_t|struct sigaction)'"
+    r"|.*undefined symbol: (pthread_\w+|sem_\w+|system)"
+)
+_HEADER_OF_SYSTEM = re.compile(r"/usr/include/wasm32-wasip1/(sys/\w+\.h):\d+:\d+: error:")
 
 # Packages whose headers a node may include, of ROS or next to it.
 _SYSTEM = re.compile(
@@ -226,6 +236,10 @@ def _explained(said: str) -> Exception:
         return NotSimulated(match[1])
     if (match := _MISSING.search(said)) and _SYSTEM.fullmatch(match[1]):
         return NotSimulated(match[1])
+    if match := _HEADER_OF_SYSTEM.search(said):
+        return NotSimulated(match[1])
+    if (first := _ERROR.search(said)) and (match := _OF_SYSTEM.search(first[1])):
+        return NotSimulated(next(filter(None, match.groups())))
     return CompileError(said.strip())
 
 
@@ -329,7 +343,7 @@ def stand_in(ros: int) -> _StandIn:
     # Otherwise, each node would compile the headers' templates again.
     pch = _Step(folder / "prelude.pch", ["-x", "c++-header", "-fpch-instantiate-templates", prelude], files)
     objects: dict[str, _Step] = {}
-    for name in (*_RUNTIMES, _RUNTIME_OF[ros]):
+    for name in (_RUNTIME_OF[ros], *_RUNTIMES):
         source = _RUNTIME / f"{name}.cpp"
         with_ros = name not in _RUNTIMES
         needs = {**files, "prelude.pch": str(pch.file)} if with_ros else {each: files[each] for each in _OF_RUNTIME}

@@ -343,10 +343,13 @@ void __cxa_rethrow_primary_exception(void* object)
   raise(dependent);
 }
 
+void rosspin_left_main();
+
 // What ends a program whose exception nothing catches; the host calls it with what has left the program.
 __attribute__((export_name("rosspin_uncaught"))) void rosspin_uncaught(void* thrown)
 {
   __cxa_begin_catch(thrown);
+  rosspin_left_main();
   std::terminate();
 }
 

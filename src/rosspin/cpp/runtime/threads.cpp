@@ -4,9 +4,11 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <exception>
 #include <pthread.h>
+#include <sched.h>
 #include <utility>
 
 #define FROM_HOST(name) __attribute__((import_module("rosspin"), import_name(name))) extern
@@ -20,6 +22,7 @@ constexpr std::int64_t second = 1'000'000'000;
 struct Thread
 {
   char* stack_end = nullptr;  // at its beginning: see rosspin_body
+  char* locals = nullptr;  // its variables that are `thread_local`
   char* stack = nullptr;
   Thread* next = nullptr;  // of all
   const void* what = nullptr;  // it waits for
@@ -29,7 +32,26 @@ struct Thread
   void* (*start)(void*) = nullptr;
   void* value = nullptr;  // what it begins with, and then, what it ends with
   void* kept[most_keys] = {};
-  ~Thread() { std::free(stack); }
+  struct Local* gone = nullptr;  // what is destroyed at its end
+  ~Thread()
+  {
+    std::free(stack);
+    std::free(locals);
+  }
+};
+
+// What pthread_exit throws.
+struct Exit
+{
+  void* value;
+};
+
+// A variable that is `thread_local`, and the one that was made before it.
+struct Local
+{
+  void (*destroy)(void*);
+  void* value;
+  Local* before;
 };
 
 Thread first;
@@ -69,6 +91,8 @@ FROM_HOST("thread") bool rosspin_thread(void (*body)(Thread*), Thread* thread);
 FROM_HOST("turn") void rosspin_turn(Thread* from, Thread* to);
 FROM_HOST("leave") void rosspin_leave(Thread* to);
 
+extern char __global_base;  // where the first values of variables lie that are `thread_local`
+
 extern struct
 {
   void* caught;
@@ -78,8 +102,14 @@ extern struct
 void rosspin_body(Thread* thread);
 }
 
-// How a thread begins: on the stack that is its own.
+// What is `thread_local` lies at a place from where this says. This file is linked at the end, and so is its own there.
+thread_local char end_of_locals = 0;
+
+// How a thread begins: on the stack that is its own, with variables of its own.
 __asm__(R"(
+  .globl __tls_base
+  .globaltype __tls_base, i32
+__tls_base:
   .functype rosspin_run (i32) -> ()
   .globaltype __stack_pointer, i32
   .section .text.rosspin_body,"",@
@@ -90,9 +120,40 @@ rosspin_body:
   i32.load 0
   global.set __stack_pointer
   local.get 0
+  i32.load 4
+  global.set __tls_base
+  local.get 0
   call rosspin_run
   end_function
 )");
+
+namespace
+{
+void use(char* locals) { __asm__ volatile("local.get %0\n\tglobal.set __tls_base" : : "r"(locals)); }
+
+// Return variables as they are at first.
+char* new_locals()
+{
+  std::uintptr_t base;
+  __asm__ volatile("global.get __tls_base\n\tlocal.set %0" : "=r"(base));
+  std::size_t size = reinterpret_cast<std::uintptr_t>(&end_of_locals) - base;
+  auto locals = static_cast<char*>(std::aligned_alloc(16, (size + 16) & -16));
+  return locals ? static_cast<char*>(std::memcpy(locals, &__global_base, size)) : nullptr;
+}
+
+// Before anything else.
+__attribute__((constructor(0))) void begin() { use(first.locals = new_locals()); }
+
+void destroy_locals(void*)
+{
+  while (Local* last = running->gone)
+  {
+    running->gone = last->before;
+    last->destroy(last->value);
+    delete last;
+  }
+}
+}  // namespace
 
 namespace rosspin
 {
@@ -116,6 +177,7 @@ bool wait_for(const void* what, std::int64_t until)
     __asm__ volatile("global.get __stack_pointer\n\tlocal.set %0" : "=r"(stack));
     rosspin_turn(from, to);
     __asm__ volatile("local.get %0\n\tglobal.set __stack_pointer" : : "r"(stack));
+    use(from->locals);
     rosspin_handling = handling;
   }
   running->what = nullptr;
@@ -151,10 +213,15 @@ void rosspin_run(Thread* thread)
   {
     thread->value = thread->start(thread->value);
   }
+  catch (const Exit& exit)
+  {
+    thread->value = exit.value;
+  }
   catch (...)
   {
     std::terminate();
   }
+  destroy_locals(nullptr);
   for (int key = 0; key < keys; key++)
     if (void* kept = std::exchange(thread->kept[key], nullptr); kept && destroys[key])
       destroys[key](kept);
@@ -164,6 +231,7 @@ void rosspin_run(Thread* thread)
   *at = thread->next;
   thread->ended = true;
   rosspin::notify(thread, true);
+  rosspin::notify(&all, true);
   delete std::exchange(gone, thread->detached ? thread : nullptr);
   running = next_thread();
   rosspin_handling = {};
@@ -180,7 +248,8 @@ int pthread_create(pthread_t* made, const pthread_attr_t* attributes, void* (*st
   };
   auto thread = new Thread;
   thread->stack = static_cast<char*>(std::malloc(stack_size));
-  if (!thread->stack)
+  thread->locals = new_locals();
+  if (!thread->stack || !thread->locals)
   {
     delete thread;
     return EAGAIN;
@@ -218,6 +287,37 @@ int pthread_detach(pthread_t detached)
   thread->detached = true;
   if (thread->ended)
     delete thread;
+  return 0;
+}
+
+void pthread_exit(void* value) { throw Exit{value}; }
+
+// An exception has left main. If that was to leave nothing but its thread, wait for the other threads.
+void rosspin_left_main()
+{
+  try
+  {
+    throw;
+  }
+  catch (const Exit&)
+  {
+    first.gone = nullptr;
+    while (all->next)
+      rosspin::wait_for(&all, rosspin::never);
+    std::exit(0);
+  }
+  catch (...)
+  {
+  }
+}
+
+int __cxa_atexit(void (*)(void*), void*, void*);
+
+int __cxa_thread_atexit(void (*destroy)(void*), void* value, void*)
+{
+  if (static bool known = false; running == &first && !std::exchange(known, true))
+    __cxa_atexit(destroy_locals, nullptr, nullptr);
+  running->gone = new Local{destroy, value, running->gone};
   return 0;
 }
 
@@ -265,6 +365,41 @@ int pthread_mutex_unlock(pthread_mutex_t* mutex)
   mutex->__u.__i[2] = 0;
   mutex->__u.__p[1] = nullptr;
   rosspin::notify(mutex, false);
+  return 0;
+}
+
+// Of the words of a lock the first is how many read; -1: one writes.
+int pthread_rwlock_init(pthread_rwlock_t* lock, const pthread_rwlockattr_t*)
+{
+  *lock = {};
+  return 0;
+}
+
+int pthread_rwlock_destroy(pthread_rwlock_t*) { return 0; }
+
+int pthread_rwlock_tryrdlock(pthread_rwlock_t* lock) { return lock->__u.__i[0] < 0 ? EBUSY : (lock->__u.__i[0]++, 0); }
+
+int pthread_rwlock_trywrlock(pthread_rwlock_t* lock) { return lock->__u.__i[0] ? EBUSY : (lock->__u.__i[0] = -1, 0); }
+
+int pthread_rwlock_rdlock(pthread_rwlock_t* lock)
+{
+  while (pthread_rwlock_tryrdlock(lock))
+    rosspin::wait_for(lock, rosspin::never);
+  return 0;
+}
+
+int pthread_rwlock_wrlock(pthread_rwlock_t* lock)
+{
+  while (pthread_rwlock_trywrlock(lock))
+    rosspin::wait_for(lock, rosspin::never);
+  return 0;
+}
+
+int pthread_rwlock_unlock(pthread_rwlock_t* lock)
+{
+  int& readers = lock->__u.__i[0];
+  readers = readers < 0 ? 0 : readers - 1;
+  rosspin::notify(lock, true);
   return 0;
 }
 

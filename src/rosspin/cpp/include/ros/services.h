@@ -84,6 +84,7 @@ public:
 private:
   boost::shared_ptr<detail::ServiceImpl> impl_;
 };
+typedef std::vector<ServiceServer> V_ServiceServer;
 
 class ServiceClient
 {

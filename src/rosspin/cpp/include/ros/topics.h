@@ -261,6 +261,7 @@ private:
   void send(const char* type, const std::string& bytes) const;
   boost::shared_ptr<detail::PublicationImpl> impl_;
 };
+typedef std::vector<Publisher> V_Publisher;
 
 class Subscriber
 {
@@ -283,6 +284,7 @@ public:
 private:
   boost::shared_ptr<detail::SubscriptionImpl> impl_;
 };
+typedef std::vector<Subscriber> V_Subscriber;
 
 struct SubscribeOptions
 {

@@ -33,7 +33,8 @@
 #include <vector>
 #include <unistd.h>
 
-// As glibc names them.
+// What glibc has, too.
+extern "C" [[noreturn]] void pthread_exit(void* value);
 typedef unsigned int uint;
 typedef unsigned long ulong;
 typedef unsigned short ushort;
