@@ -29,6 +29,24 @@ SMALL = """() => [...document.querySelectorAll("figure.rosspin-plot svg[role=img
         parseFloat(getComputedStyle(text).fontSize) * (picture.getScreenCTM().a || 1)))
     .filter(size => size < 11).map(size => `small lettering: ${size} px`).slice(0, 5)"""
 
+# What is cut off, or crosses an edge: words in a drawing, names in a text, captions.
+CUT = """() => {
+    const box = element => element.getBoundingClientRect()
+    const crosses = (text, edge) => text.left < edge && edge < text.right
+    const drawings = [...document.querySelectorAll("svg.rosspin-drawing")].filter(each => box(each).width)
+    const words = drawings.flatMap(drawing => {
+        const frames = [...drawing.querySelectorAll("rect")].map(box)
+        return [...drawing.querySelectorAll("text")].filter(text => {
+            const own = box(text), near = frames.filter(frame => frame.top < own.bottom && own.top < frame.bottom)
+            return [box(drawing), ...near].some(frame => crosses(own, frame.left) || crosses(own, frame.right))
+        })
+    })
+    const named = "article code:not(pre *, table *), article .code-block-caption"
+    const names = [...document.querySelectorAll(named)].filter(name =>
+        box(name).right > box(name.closest("article")).right + 1)
+    return [...words, ...names].map(each => `cut: ${each.textContent}`)
+}"""
+
 
 LARGE = ViewportSize(width=1280, height=844)
 
@@ -73,13 +91,13 @@ def opened(tab: Page, wrong: list[str], address: str, name: str) -> Iterator[Pag
 @pytest.mark.shares(6)
 @pytest.mark.parametrize("name", NAMES)
 def test_it_fits(opened: Page) -> None:
-    """No sideways scrolling; plots can be read, in light and in dark; on large screens they are as wide as the text."""
+    """Nothing scrolls sideways or is cut off; plots can be read in light and in dark, and are as wide as a text."""
     seen = _seen(opened, TOO_WIDE, FAINT, SMALL, NARROW)
     opened.set_viewport_size({"width": 1920, "height": 800})
     seen += _seen(opened, NARROW)
     opened.set_viewport_size({"width": 390, "height": 844})
     look(opened, "dark")
-    seen += _seen(opened, TOO_WIDE, FAINT, SMALL)
+    seen += _seen(opened, TOO_WIDE, FAINT, SMALL, CUT)
     opened.set_viewport_size({"width": 320, "height": 256})  # 1280 px by 1024 px at a zoom of 400 %
     assert seen + _seen(opened, TOO_WIDE) == []
 
