@@ -10,6 +10,7 @@ from cpp_in_page import in_page, is_like
 from tree import ROOT
 
 from rosspin import simulate
+from rosspin.cpp import build, lean
 from rosspin.cpp.building import node_command
 from rosspin.measures import by_source, describe_timeline, lost_by_source
 
@@ -34,6 +35,31 @@ def test_the_listings_of_pages(name: str, tmp_path: Path) -> None:
     said = " ".join(describe_timeline(source, group) for source, group in by_source(run.ticks).items())
     assert result["alternative"] == said
     assert result["lost"] == []
+
+
+READS = """\
+#include "ros/ros.h"
+int main()
+{
+  std::istringstream words("12 0.5 0x1f");
+  int whole = 0, other = 0;
+  double number = 0.0;
+  words >> whole >> number >> std::hex >> other;
+  std::printf("%d %.2f %d\\n", whole, number, other);
+  std::sscanf("7 2.5", "%d %lf", &whole, &number);
+  std::printf("%d %.2f %.2f\\n", whole, number, std::stod("1.25"));
+}
+"""
+
+
+def test_a_node_that_reads_numbers_has_what_reads_them(tmp_path: Path) -> None:
+    """Programs of others are without it, as it is long."""
+    file = tmp_path / "reads.cpp"
+    file.write_text(READS, encoding="utf-8")
+    ((console, _),) = in_page(file, [(1.0, "")], tmp_path)
+    assert console == "12 0.50 31\n7 2.50 1.25\n"
+    program = build(file).program.read_bytes()
+    assert len(lean(program, "")) < len(lean(program, READS)) - 10_000
 
 
 def test_a_browser_without_jspi_says_that_it_has_no_threads(tmp_path: Path) -> None:

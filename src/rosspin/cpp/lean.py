@@ -18,8 +18,13 @@ _UNCALLED = re.compile(
     rf"|(num_get|num_put|numpunct|ctype|collate)<wchar_t{_ARGUMENTS}"
     rf"|(codecvt)<char(?:8|16|32)_t{_ARGUMENTS})"
     r"(?!(?:__)?(?:\1|\2|\3)\b)\w"
+    r"|\bstd::__2::(?:utf|ucs)\d+_to_\w+\(|\bbasic_string<wchar_t,|^__strftime"
 )
-# How a node that does call them asks for it.
+# How numbers are read from a stream, which is as long as a fourth of that.
+_OF_INPUT = re.compile(r"^std::__2::istreambuf_iterator<.*\bnum_get<|\b__num_get(?:_|\b)|^vs?f?scanf$")
+_READS = re.compile(r">>|\bcin\b|istream|lexical_cast|get_time|scanf")
+
+# How a node that does call the others asks for it.
 _CALLED = re.compile(
     r"\bw(?:char_t|string|cout|cerr|clog|cin|\w*stream)\b|char(?:8|16|32)_t|\b[uU]?L\"|money|_time\b|<codecvt>|<format>|messages<"
 )
@@ -41,7 +46,8 @@ def lean(program: bytes, text: str) -> bytes:
         if kind == _CUSTOM and data.startswith(b"\x04name"):
             names = dict(_names(data[5:]))
     imported = next((_read(data, 0)[0] for kind, data in sections if kind == _IMPORTS), 0)
-    uncalled = set() if _CALLED.search(text) else {number for number, name in names.items() if _UNCALLED.search(name)}
+    patterns = [uncalled for uncalled, called in ((_UNCALLED, _CALLED), (_OF_INPUT, _READS)) if not called.search(text)]
+    uncalled = {number for number, name in names.items() if any(each.search(name) for each in patterns)}
     made = program[:8]
     for kind, data in sections:
         if kind == _CODE:
