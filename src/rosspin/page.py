@@ -206,8 +206,8 @@ class _Child:
 
     def go_on(self, message: Mapping[str, Any]) -> Iterator[Batch]:
         # It never runs on its own: what it does is shown when it does it.
-        told = {**message, "horizon": message.get("now")}
-        for batch in run_sync(self._program.goOn(dumps(told))):
+        request = {**message, "horizon": message.get("now")}
+        for batch in run_sync(self._program.goOn(dumps(request))):
             self._clock.beside += 1
             ticks = batch.ticks
             yield loads(batch.text) | ({"ticks": ticks.to_bytes()} if ticks else {})

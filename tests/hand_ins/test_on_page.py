@@ -9,10 +9,10 @@ import zipfile
 from pathlib import Path
 from typing import IO, Any
 
-from rosspin.hand_ins.found import find_given
+from rosspin.hand_ins.archives import find_given
 from rosspin.hand_ins.on_page import Table
+from rosspin.hand_ins.reports import as_csv, write_csv
 from rosspin.hand_ins.students import Class
-from rosspin.hand_ins.told import as_csv, write_csv
 
 
 def saved(name: str, id: str = "a1", **changed: Any) -> bytes:

@@ -17,8 +17,8 @@ from typing import Any
 import pytest
 
 from rosspin.exercises import code
+from rosspin.hand_ins.archives import ON_DISK, Bounds, Found, find
 from rosspin.hand_ins.files import HandIn, Refused, read
-from rosspin.hand_ins.found import ON_DISK, Bounds, Found, find
 from rosspin.hand_ins.students import Class
 
 MADE = {"format": "rosspin-answers", "version": 2, "name": "Ada", "id": "a1", "answers": {"ten-hertz": "x"}}
@@ -240,7 +240,7 @@ def test_an_odd_archive_is_named(what: str, tmp_path: Path) -> None:
 def test_a_bomb_is_read_no_further_than_answers_go(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (file,) = in_archive(zipped({"a.json": b"x" * 20_000_000}), tmp_path)
     assert len(file.data) == 1_000_001
-    monkeypatch.setattr("rosspin.hand_ins.found.ON_DISK", Bounds(1000, 1_500_000, 10_000_000, 1_000_000))
+    monkeypatch.setattr("rosspin.hand_ins.archives.ON_DISK", Bounds(1000, 1_500_000, 10_000_000, 1_000_000))
     many = zipped({f"{n}.json": b"x" * 1_000_000 for n in range(5)} | {"z.zip": zipped({"a.json": b"x" * 9_000_000})})
     assert "there is too much in all; have it judged in parts" in [file.why for file in in_archive(many, tmp_path)]
 
@@ -286,7 +286,7 @@ def test_one_archive_with_too_much_in_it_costs_little_and_the_others_nothing(wha
 
 @pytest.mark.parametrize("what", ["names", "names of answers"])
 def test_too_much_in_all_is_said_once(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosspin.hand_ins.found.ON_DISK", ON_DISK._replace(entries=1000))
+    monkeypatch.setattr("rosspin.hand_ins.archives.ON_DISK", ON_DISK._replace(entries=1000))
     (file,) = in_archive(TOO_MUCH[what](), tmp_path)
     assert file.why == "there is too much in all; have it judged in parts"
     (tmp_path / "all").mkdir()

@@ -116,12 +116,12 @@ def _watch(guarded: int, read: int, left: float, after: Mapping[bytes, float]) -
     while os.getppid() == guarded and left > 0:
         if not select.select([read], [], [], _BEFORE)[0]:
             left -= _BEFORE
-        elif (told := os.read(read, 1)) == b"!":
+        elif (byte := os.read(read, 1)) == b"!":
             interrupted(0, None)
-        elif told not in after:
+        elif byte not in after:
             break  # the guarded process has come to its end
         else:
-            left = after[told]
+            left = after[byte]
     if left > 0:
         os._exit(0)
 

@@ -293,9 +293,9 @@ def _run(function: Callable[..., Any], args: Any, kwargs: Any) -> None:
         if sys.unraisablehook is sys.__unraisablehook__:
             sys.stderr.write(f"Exception ignored in thread started by: {function!r}\n{format_error(error)}")
         else:
-            told: Any = SimpleNamespace(exc_type=type(error), exc_value=error, exc_traceback=error.__traceback__)
-            told.err_msg, told.object = "Exception ignored in thread started by", function
-            sys.unraisablehook(told)
+            hook_args: Any = SimpleNamespace(exc_type=type(error), exc_value=error, exc_traceback=error.__traceback__)
+            hook_args.err_msg, hook_args.object = "Exception ignored in thread started by", function
+            sys.unraisablehook(hook_args)
 
 
 def _report_no(end: type[BaseException], function: Callable[..., Any]) -> None:

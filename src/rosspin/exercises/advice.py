@@ -193,8 +193,8 @@ _LACKING = {
 
 def _form(error: BaseException) -> str:
     """Return how to call what was given too few arguments, or some that it does not have."""
-    told = r"(?:Node\.)?(\w+)(?:\.__init__)?\(\) (?:missing|got an unexpected keyword argument '(\w+)'|takes)"
-    found = re.match(told, str(error))
+    message = r"(?:Node\.)?(\w+)(?:\.__init__)?\(\) (?:missing|got an unexpected keyword argument '(\w+)'|takes)"
+    found = re.match(message, str(error))
     if not isinstance(error, TypeError) or not found:
         return ""
     return _LACKING.get((found[1], found[2])) or _FORMS.get(found[1], "")

@@ -24,19 +24,19 @@ def commands(seen: Seen, first: float = 0.0, last: float = float("inf")) -> list
 
 
 def unmoved(seen: Seen) -> Finding | None:
-    """Find out why the vehicle was told nothing that moves it; None if it was."""
-    told = commands(seen)
-    if any(command.speed for command in told):
+    """Find out why the vehicle was sent nothing that moves it; None if it was."""
+    sent = commands(seen)
+    if any(command.speed for command in sent):
         if _way(seen.drive.spots) > _STILL:
             return None
-        text = f"a command came on `/cmd_vel`, at {say(told[0].time)}, but it did not reach the vehicle."
+        text = f"a command came on `/cmd_vel`, at {say(sent[0].time)}, but it did not reach the vehicle."
         types = {plain(each.type) for each in seen.sent if each.topic == "/cmd_vel"}
         hint = "What is published before the other node is found is lost: let a timer publish, again and again."
         if not any(name.endswith("Twist") for name in types):
             hint = f"The vehicle takes messages of the type `Twist`, and these are of another one: {', '.join(types)}."
         return Finding(False, text, hint)
-    if told:
-        text = f"each of {len(told)} commands has a speed of 0: the vehicle never moved."
+    if sent:
+        text = f"each of {len(sent)} commands has a speed of 0: the vehicle never moved."
         return Finding(False, text, "`command.linear.x = 2.0`: a new `Twist` is all zeros.")
     text = "no command came on `/cmd_vel`: the vehicle never moved."
     ends = seen.ends_of("/cmd_vel", True)
@@ -58,16 +58,16 @@ def follows(
     if wrong := unmoved(seen):
         return wrong
     spots = [spot for spot in seen.drive.spots if first <= spot.time <= last]
-    told = [command for command in commands(seen, first, last) if command.speed]
-    if not told:
+    sent = [command for command in commands(seen, first, last) if command.speed]
+    if not sent:
         return Finding(False, f"from {say(first)} on no command moved the vehicle.", hint)
     worst = max(spots, key=lambda spot: spot.off)
-    way, could = _way(spots), speed * (spots[-1].time - max(told[0].time, first))
+    way, could = _way(spots), speed * (spots[-1].time - max(sent[0].time, first))
     if worst.off > EDGE:
-        return Finding(False, f"the vehicle {say_off(worst.off, worst.time)}.", _why(seen, told) or hint)
+        return Finding(False, f"the vehicle {say_off(worst.off, worst.time)}.", _why(seen, sent) or hint)
     if could <= 0 or way < _LEAST * could:
         text = f"the vehicle keeps to its line, but drove {way:.1f} m where {could:.1f} m are asked for."
-        slow = f"Its speed was {told[0].speed:g} m/s. " if told[0].speed < speed else ""
+        slow = f"Its speed was {sent[0].speed:g} m/s. " if sent[0].speed < speed else ""
         return Finding(False, text, f"{slow}Leave its speed, {speed:g} m/s, as it is: slow vehicles are easy to steer.")
     return Finding(True, f"the vehicle {say_off(worst.off, worst.time)}.")
 
@@ -85,14 +85,14 @@ def _way(spots: Sequence[Spot]) -> float:
     return sum(math.dist(one[1:3], other[1:3]) for one, other in pairwise(spots))
 
 
-def _why(seen: Seen, told: Sequence[Command]) -> str:
+def _why(seen: Seen, sent: Sequence[Command]) -> str:
     """Return a hint for who steers in a wrong way, as opposed to too late; empty if neither is seen."""
-    if not any(command.turn for command in told):
+    if not any(command.turn for command in sent):
         return "In each command, the turn is 0: nothing steers. `command.angular.z` is the turn, in rad/s to the left."
-    if len({command.turn for command in told}) == 1 < len(told):
-        return f"The turn is {told[0].turn:g} in each command. Is it made from the newest offset, each time?"
+    if len({command.turn for command in sent}) == 1 < len(sent):
+        return f"The turn is {sent[0].turn:g} in each command. Is it made from the newest offset, each time?"
     vehicle, away = Vehicle(), 0
-    for command in told[:20]:
+    for command in sent[:20]:
         spot = min(seen.drive.spots, key=lambda spot: abs(spot.time - command.time))
         vehicle.place = Place(spot.x, spot.y, spot.heading)
         away += 1 if vehicle.offset * command.turn < 0 else -1

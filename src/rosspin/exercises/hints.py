@@ -18,26 +18,26 @@ _PERIOD = "A timer is given a period in seconds: the period is 1 / frequency."
 _OWN = "give each timer a counter of its own."
 
 
-def for_counters(found: Sequence[Printed], wanted: Sequence[float], told: str = "print") -> str:
+def for_counters(found: Sequence[Printed], wanted: Sequence[float], verb: str = "print") -> str:
     """Return a hint on counters that came, and should have been 1, 2, ... at the ``wanted`` times (s).
 
-    ``told`` is what the node does with a counter. The hint is empty if the counters themselves are right.
+    ``verb`` is what the node does with a counter. The hint is empty if the counters themselves are right.
     """
     texts = [line.text for line in found[: len(wanted)]]
     if texts == [str(number) for number, _ in enumerate(texts, 1)]:
         return ""
     if any(not text.isdigit() for text in texts):
-        return f"The counter is a whole number: {told} it as it is, with nothing before or after it."
+        return f"The counter is a whole number: {verb} it as it is, with nothing before or after it."
     numbers = [int(text) for text in texts]
     steps = {after - number for number, after in pairwise(numbers)}
     if steps == {0}:
-        return f"The counter stays at {numbers[0]}: each call has to add 1 to it, and to {told} what comes of that."
+        return f"The counter stays at {numbers[0]}: each call has to add 1 to it, and to {verb} what comes of that."
     if numbers[0] == 0 and steps <= {1} and abs(found[0].time - wanted[0]) < _CLOSE:
-        return f"The first counter is 1: add 1 before you {told} it, not after."
+        return f"The first counter is 1: add 1 before you {verb} it, not after."
     if steps <= {1} and numbers[0] > 1:
         return f"The first counter is 1, and this one begins at {numbers[0]}: it is 0 at the start. If not, {_OWN}"
     if steps <= {0, 1} and 0 in steps:
-        return f"A counter comes more than once: does the node {told} it twice, or do two timers {told} the same one?"
+        return f"A counter comes more than once: does the node {verb} it twice, or do two timers {verb} the same one?"
     if len(steps) == 1 and (step := steps.pop()) > 1:
         return f"The counter goes up by {step} each time: add 1 in each call. If another timer counts in it: {_OWN}"
     if abs(found[0].time - wanted[0]) < _CLOSE:

@@ -122,14 +122,14 @@ def on_time(
     what: str = "",
     hint: str = "",
     one: str = "counter",
-    told: str = "print",
+    verb: str = "print",
 ) -> Finding:
     """Whether counters 1, 2, ... came at the wanted times, and no others. ``what`` begins the sentence.
 
-    ``one`` is what each of them is, ``told`` what the node does with it. ``hint`` is for what the counters do not show.
+    ``one`` is what each of them is, ``verb`` what the node does with it. ``hint`` is for what the counters do not show.
     """
     start = f"{what}: " if what else ""
-    hint = (one == "counter" and for_counters(found, wanted, told)) or hint
+    hint = (one == "counter" and for_counters(found, wanted, verb)) or hint
     if not found:
         return Finding(False, f"{start}no {one} was printed.", hint)
     for number, (line, time) in enumerate(zip(found, wanted, strict=False), 1):
@@ -258,9 +258,9 @@ def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Fi
     paused = [time for time, speed in commands if not speed and time < end - CLOSE]
     due = int(end / 0.1)
     if paused or abs(len(driven) - due) > 1:
-        told = f"stopped at {say(paused[0])}" if paused else f"told a speed {len(driven)} times, not about {due} times"
+        state = f"stopped at {say(paused[0])}" if paused else f"told a speed {len(driven)} times, not about {due} times"
         hint = "Until the node ends, the loop has to drive the motor as before."
-        return Finding(False, f"{when}: up to then the motor was {told}.", hint)
+        return Finding(False, f"{when}: up to then the motor was {state}.", hint)
     stop = next((n for n, (_, speed) in enumerate(commands) if not speed), None)
     if stop is None:
         return Finding(False, f"{when}: nothing stops the motor. It continues at its last speed.")
@@ -410,7 +410,7 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
         unfilled = "A new message holds 0. Its field `data` is where the counter goes."
         yield Finding(False, "on `/counter`: each message holds 0, not a counter.", unfilled)
         return
-    on_topic = on_time(counters, wanted, "On `/counter`", for_times(counters, wanted, _EVERY), told="publish")
+    on_topic = on_time(counters, wanted, "On `/counter`", for_times(counters, wanted, _EVERY), verb="publish")
     yield on_topic
     publishers = [end.made for end in seen.ends_of("/counter", True)]
     heard = seen.values("LISTENER", "counter")

@@ -16,8 +16,8 @@ from concurrent.futures import Executor
 from pathlib import Path
 
 from ..exercises import Verdict
+from ..hand_ins.reports import as_csv, as_data, as_words, say_python, say_unsealed, write_csv
 from ..hand_ins.students import Class
-from ..hand_ins.told import as_csv, as_data, as_words, say_python, say_unsealed, write_csv
 from ..results.saving import save_whole
 from .elsewhere import Elsewhere
 from .lanes import Lanes, Task

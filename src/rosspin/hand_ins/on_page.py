@@ -8,9 +8,9 @@ from typing import IO, Any
 
 from ..exercises import Verdict
 from . import MOST_ANSWER, too_long
-from .found import find_given
+from .archives import find_given
+from .reports import as_csv, hard, write_csv
 from .students import Class, Room, Row
-from .told import as_csv, hard, write_csv
 
 __all__ = ["ROOM", "Table"]
 

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..exercises import EXERCISES, Verdict
+from .archives import Found, find
 from .files import MOST_PLAIN, HandIn, Refused, plain, read
-from .found import Found, find
 
 __all__ = ["Class", "Room", "Row"]
 

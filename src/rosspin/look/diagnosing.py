@@ -125,15 +125,15 @@ class _Diagnosis:
             return
         if not evidence:
             return
-        told = [text for text in evidence if "continues" in text]
+        steady = [text for text in evidence if "continues" in text]
         most = max(where.count(series) for series in where)
-        if most > 3 or not told and len(evidence) > 3:
+        if most > 3 or not steady and len(evidence) > 3:
             self.say(
                 "unknown", "sure", [*evidence[:2], "Lines of several processes may be mixed up in this file."], where
             )
         else:
-            few = (told or evidence)[:3]
-            self.say("clock", "sure" if told or len(set(map(id, where))) > 1 else "likely", few, where)
+            few = (steady or evidence)[:3]
+            self.say("clock", "sure" if steady or len(set(map(id, where))) > 1 else "likely", few, where)
 
     # --- more than one ------------------------------------------------------------------------------------------------
 

@@ -28,7 +28,7 @@ def draw_way(drive: Drive, caption: str, ax: Axes) -> None:
         across, up = zip(*way, strict=True)
         left, right = min(-0.5, *across), max(11.0, max(across) + 0.6)
         # The road ends where its round end is still seen.
-        draw(ax, way, _off(drive), list(_told(drive)), Place(last.x, last.y, last.heading), 0.7, right - 0.3)
+        draw(ax, way, _off(drive), list(_turns(drive)), Place(last.x, last.y, last.heading), 0.7, right - 0.3)
         ax.set(xlim=(left, right), ylim=(min(-1.6, min(up) - 0.4), max(1.6, max(up) + 0.4)), aspect="equal")
         ax.set_axis_off()
 
@@ -55,7 +55,7 @@ def _off(drive: Drive) -> Iterator[Sequence[tuple[float, float]]]:
             yield [(spot.x, spot.y) for spot in spots]
 
 
-def _told(drive: Drive) -> Iterator[tuple[float, float]]:
+def _turns(drive: Drive) -> Iterator[tuple[float, float]]:
     """Yield where the vehicle was when a command came."""
     spots = iter(drive.spots)
     spot = next(spots)

@@ -150,12 +150,12 @@ def _orders_height(found: Orders) -> int:
 
 
 def _describe_orders(window: _Window) -> str:
-    told = []
+    orders = []
     for name, column in zip(_PANELS, window.steps, strict=True):
         groups = groupby(filter(None, column), lambda step: step.thread)
         steps = ", then ".join(f"{thread}: {', '.join(step.line for step in group)}" for thread, group in groups)
-        told.append(f"lines in {name}: {steps or 'none'}")
-    return f"At {window.time:.9g} s, {'; '.join(told)}. They part: {' '.join(window.parting)}."
+        orders.append(f"lines in {name}: {steps or 'none'}")
+    return f"At {window.time:.9g} s, {'; '.join(orders)}. They part: {' '.join(window.parting)}."
 
 
 def _draw_steps(

@@ -60,7 +60,7 @@ class Ros1:
             "search_param": _search_param,
             "param_names": client.get_param_names,
         }
-        self._told: dict[str, Callable[..., object]] = {
+        self._handlers: dict[str, Callable[..., object]] = {
             "publish": self._publish,
             "publish_to": self._publish_to,
             "unadvertise": lambda number: self._publishers[number].unregister(),
@@ -77,7 +77,7 @@ class Ros1:
 
     def take(self, what: str, values: list[Any]) -> None:
         """Do what the node has told."""
-        self._told[what](*values)
+        self._handlers[what](*values)
 
     def message(self, subscriber: int, data: bytes) -> Any:
         """Return a message that a subscriber was given."""
@@ -116,7 +116,7 @@ class Ros1:
         self._publishers.append(_Publisher(topic, _class(kind), latch=latch, queue_size=queue_size))
         end = self._publishers[-1].impl
         if is_told and isinstance(end, _Publication):
-            end.told.append(tell)
+            end.callbacks.append(tell)
             for connection in end.connections:
                 tell(True, connection)
         return number
@@ -246,22 +246,22 @@ class _Local(Connection):
 
 
 class _Publication(Publication):
-    """A topic as a C++ node publishes it: ``told`` are called with a connection, and before it whether that is made."""
+    """A topic as a C++ node publishes it: ``callbacks`` get whether it is made, or ends, and the connection."""
 
     def __init__(self, node: State, topic: str, data_class: type[Message]) -> None:
         super().__init__(node, topic, data_class)
-        self.told: list[Callable[[bool, Connection], None]] = []
+        self.callbacks: list[Callable[[bool, Connection], None]] = []
 
     def accept(self, connection: Connection) -> bool:
         is_accepted = super().accept(connection)
         if is_accepted:
-            for tell in self.told:
+            for tell in self.callbacks:
                 tell(True, connection)
         return is_accepted
 
     def drop(self, connection: Connection) -> None:
         if connection in self.connections and not self.closed:
-            for tell in self.told:
+            for tell in self.callbacks:
                 tell(False, connection)
         super().drop(connection)
 

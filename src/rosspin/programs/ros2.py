@@ -79,7 +79,7 @@ class Ros2:
             "count": lambda node, what, name: {"count": getattr(self._nodes[node], f"count_{what}")(name)},
             "infos": self._infos,
         }
-        self._told: dict[str, Callable[..., object]] = {
+        self._handlers: dict[str, Callable[..., object]] = {
             "shutdown": lambda number: self._contexts[number].try_shutdown(),
             "publish": lambda number, data: self._publishers[number].publish(data),
             "assert_liveliness": lambda number: self._publishers[number].assert_liveliness(),
@@ -106,7 +106,7 @@ class Ros2:
 
     def take(self, what: str, values: list[Any]) -> None:
         """Do what the program has told."""
-        self._told[what](*values)
+        self._handlers[what](*values)
 
     def message(self, subscription: int, data: bytes) -> Any:
         """Return a message that a subscription was given."""

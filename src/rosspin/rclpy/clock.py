@@ -262,7 +262,7 @@ class ROSClock(Clock):
 
     def __init__(self, *, clock_type: ClockType = ClockType.ROS_TIME) -> None:
         super().__init__(clock_type=ClockType.ROS_TIME)
-        self._rosspin_told = 0
+        self._rosspin_ros_time = 0
         self._rosspin_timers: WeakKeyDictionary[Any, None] = WeakKeyDictionary()  # the timers that go by this clock
 
     @property
@@ -278,7 +278,7 @@ class ROSClock(Clock):
                     timer._rosspin_before_switch()
                 self._rosspin_flows = not enabled
                 self._rosspin_changes += 1
-                self._rosspin_ns = (lambda: self._rosspin_told) if enabled else self._rosspin_state.clock.system
+                self._rosspin_ns = (lambda: self._rosspin_ros_time) if enabled else self._rosspin_state.clock.system
                 for timer in timers:
                     timer._rosspin_after_switch()
                 self._rosspin_set_events()
@@ -288,10 +288,10 @@ class ROSClock(Clock):
         if not isinstance(time, Time):
             raise TypeError(f"Time must be specified as rclpy.time.Time. Received type: {type(time)}")
         if not self.ros_time_is_active:
-            self._rosspin_told = time.nanoseconds
+            self._rosspin_ros_time = time.nanoseconds
             return
-        with self._rosspin_jumping(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds - self._rosspin_told):
-            self._rosspin_told = time.nanoseconds
+        with self._rosspin_jumping(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds - self._rosspin_ros_time):
+            self._rosspin_ros_time = time.nanoseconds
             for timer in list(self._rosspin_timers):
                 timer._rosspin_after_jump()
             self._rosspin_set_events()

@@ -76,19 +76,19 @@ def explain(graph: Graph, watcher: Watcher | None = None) -> str:
     """
     run = _Run(graph)
     lines: list[str] = []
-    told: set[int] = set()
+    shown: set[int] = set()
     for waiter in run.waiters:
-        if id(waiter.goal) in told:
+        if id(waiter.goal) in shown:
             continue
         steps = run.way(waiter)
         if steps:
-            told.update(id(step.next.goal) for step in steps if step.next)
+            shown.update(id(step.next.goal) for step in steps if step.next)
             lines += ["deadlock. This can never continue:", *(f"  {line}" for step in steps for line in step.lines)]
             advice = [step.advice for step in steps if step.advice]
             lines.append(_HOLDING if _HOLDING in advice else (advice or [_RING])[0])
             if watcher:
                 watcher.rings(_links(waiter, steps))
-        told.add(id(waiter.goal))
+        shown.add(id(waiter.goal))
     return "".join(f"rosspin: {line}\n" for line in lines)
 
 

@@ -114,7 +114,7 @@ class EventHandler:
         self.event_type = event_type
         self._executor_event = False
         self._futures: list[Any] = []  # as all that a node can wait for
-        self._rosspin = _Told(getattr(parent_impl, "_rosspin", parent_impl).node)
+        self._rosspin = _Listener(getattr(parent_impl, "_rosspin", parent_impl).node)
         callback_group.add_entity(self)
 
     def _rosspin_happen(self, policy: QoSPolicyKind = QoSPolicyKind.INVALID, **changes: int) -> None:
@@ -151,7 +151,7 @@ class EventHandler:
         self._rosspin.is_destroyed = True
 
 
-class _Told:
+class _Listener:
     """What an event handler has to tell: ``messages`` is whether there is anything."""
 
     ends = ()

@@ -97,12 +97,12 @@ class OwnTopics:
             for parameter in parameters:
                 had = parameter.name in before and before[parameter.name].type_ is not unset
                 if declared or parameter.type_ is not unset:
-                    told = event.changed_parameters if had else event.new_parameters
+                    parameters = event.changed_parameters if had else event.new_parameters
                 elif had:
-                    told = event.deleted_parameters
+                    parameters = event.deleted_parameters
                 else:
                     continue
-                told.append(parameter.to_parameter_msg())
+                parameters.append(parameter.to_parameter_msg())
             publisher.publish(event)
 
     def tell_log(self, level: int, name: str, message: str, frame: FrameType) -> None:

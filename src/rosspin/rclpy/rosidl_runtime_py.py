@@ -89,7 +89,7 @@ def message_to_yaml(
 ) -> str:
     """Return a message as YAML, its fields in their order. The rest is as in ``message_to_ordereddict``."""
     yaml = import_module("yaml")
-    told = message_to_ordereddict(msg, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str)
+    values = message_to_ordereddict(msg, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str)
     dumper: Any = type("Dumper", (yaml.Dumper,), {})
 
     def in_order(own: Any, fields: OrderedDict[str, Any]) -> Any:
@@ -97,7 +97,7 @@ def message_to_yaml(
         return yaml.nodes.MappingNode("tag:yaml.org,2002:map", items)
 
     dumper.add_representer(OrderedDict, in_order)
-    return str(yaml.dump(told, Dumper=dumper, allow_unicode=True, width=_LONGEST, default_flow_style=flow_style))
+    return str(yaml.dump(values, Dumper=dumper, allow_unicode=True, width=_LONGEST, default_flow_style=flow_style))
 
 
 def message_to_csv(msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False) -> str:

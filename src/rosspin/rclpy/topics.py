@@ -163,8 +163,8 @@ class PublisherEnd(TopicEnd):
         recording = self.world.recording
         if recording.published is not None:
             with suppress(cdr.CDRError):
-                told = cdr.deserialize(message, self.msg_type) if isinstance(message, bytes) else message
-                recording.add_message(self.end.topic, self.node.full_name, lambda: told)
+                received = cdr.deserialize(message, self.msg_type) if isinstance(message, bytes) else message
+                recording.add_message(self.end.topic, self.node.full_name, lambda: received)
         for subscription in list(self.peers):
             subscription.receive(self, message, sent)
 

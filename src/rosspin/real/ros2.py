@@ -179,22 +179,22 @@ class Nodes(Children):
         ending: Ending | None = None,
     ) -> Run:
         """Run a node file: see :func:`launch`; ``ending`` says how it is ended."""
-        told = _Told()
+        measured = _Measured()
         folders = (str(self.folder), around_package(str(file.resolve().parent)), self.environment.get("PYTHONPATH"))
         path = os.pathsep.join(filter(None, folders))
         command = [python(), *words_of(str(file)), *args]
         begins = None if seconds is None else _BEGIN
-        output = self.run(command, seconds, onward, begins, ending, told, {"PYTHONPATH": path})
+        output = self.run(command, seconds, onward, begins, ending, measured, {"PYTHONPATH": path})
         # Python itself has reported an interrupt; no one has reported an abort or a kill.
         silent = output.status > 128 and output.status != 128 + signal.SIGINT
         said = say_deaths({file.name: output.status} if silent else {}, onward) + _say_lacking(output.console, onward)
         return Run(
             output.console + said,
-            told.ticks(),
+            measured.ticks(),
             output.status,
             "ros2",
             time.time() - output.start if seconds is None else seconds,
-            told.start or output.start,
+            measured.start or output.start,
         )
 
 
@@ -212,7 +212,7 @@ def _say_lacking(console: str, onward: TextIO | None) -> str:
     return line
 
 
-class _Told:
+class _Measured:
     """Takes what the probe writes out of the lines of a console, and keeps it."""
 
     def __init__(self) -> None:
@@ -224,13 +224,13 @@ class _Told:
     def __call__(self, line: str) -> str:
         return "" if _FRAME.match(line) else _TOLD.sub(self._keep, line)
 
-    def _keep(self, told: re.Match[str]) -> str:
-        if told[1] == "begin":
-            self._zero = int(told[2])
+    def _keep(self, match: re.Match[str]) -> str:
+        if match[1] == "begin":
+            self._zero = int(match[2])
             self.start = self._zero / NS
         else:
-            source, number, *times = told[2].split("\t")
-            if told[1] == "tick":
+            source, number, *times = match[2].split("\t")
+            if match[1] == "tick":
                 self._ticks[source, int(number)] = int(times[0]), int(times[1])
             else:
                 self._durations[source, int(number)] = int(times[0])

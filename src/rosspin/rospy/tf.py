@@ -95,8 +95,8 @@ class Transformer:
 
     def getFrameStrings(self) -> list[str]:
         """The frames that have a parent."""
-        told = import_module("yaml").safe_load(self._buffer.all_frames_as_yaml())
-        return list(told or {})
+        frames = import_module("yaml").safe_load(self._buffer.all_frames_as_yaml())
+        return list(frames or {})
 
     def getLatestCommonTime(self, source_frame: str, dest_frame: str) -> Any:
         """The latest time for which the transform is known. Raises tf.Exception."""

@@ -61,14 +61,14 @@ class ExerciseDirective(SphinxDirective):
             return []
         number = next(each.number for each in EXERCISES if each.name == lesson.exercise.name)
         title = f"Exercise {number}: {lesson.exercise.title}"
-        told = self.parse_text_to_nodes(lesson.text)
-        for node in (listing for part in told for listing in part.findall(nodes.literal_block)):
+        task = self.parse_text_to_nodes(lesson.text)
+        for node in (listing for part in task for listing in part.findall(nodes.literal_block)):
             if node.astext().startswith("%%simulate "):
                 node["classes"].append("live")
                 node["language"] = "ipython3"
         tabs = [self._tab(each) for each in (lesson, *lesson.others)] if lesson.others else []
         answer = [create_component("tab-set", ["sd-tab-set"], children=tabs)] if tabs else self._answer(lesson)
-        shown: list[nodes.Node] = [nodes.rubric(title, title), *told, *answer]
+        shown: list[nodes.Node] = [nodes.rubric(title, title), *task, *answer]
         return [nodes.container("", *shown, classes=["exercise"], ids=[lesson.exercise.name])]
 
     def _tab(self, lesson: Lesson) -> nodes.Node:

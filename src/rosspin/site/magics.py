@@ -107,8 +107,8 @@ class Magics(BaseMagics):
             raise UsageError(f"%answer {name}: it is offered in {' and '.join(offered)}")
         lesson = offered.get(language, lesson)
         shell: Any = self.shell
-        told = f"**{lesson.exercise.title}**\n\n{lesson.text}"
-        shell.display_pub.publish({"text/markdown": told, "text/plain": told})
+        text = f"**{lesson.exercise.title}**\n\n{lesson.text}"
+        shell.display_pub.publish({"text/markdown": text, "text/plain": text})
         shell.set_next_input(f"%%answer {lesson.exercise.name}\n{lesson.node.rstrip()}")
 
     @cell_magic

@@ -11,8 +11,8 @@ from typing import Any
 from .. import hand_ins
 from ..cpp.faults import ADVICE
 from ..exercises import EXERCISES
+from ..hand_ins.archives import ON_PAGE
 from ..hand_ins.files import NUMBERED
-from ..hand_ins.found import ON_PAGE
 from ..plots import layout
 from ..run.kinds.cpp import INCLUDES
 

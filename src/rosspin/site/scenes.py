@@ -40,9 +40,9 @@ def figure(path: str, seconds: float, args: Sequence[str], rings: bool = False) 
     name = os.path.basename(path)
     carried = html.escape(json.dumps(data | {"name": name}, separators=(",", ":")), quote=False)
     carried = carried.replace("'", "&#39;")
-    told = [f"{time:g} s: {said}" for time, said, *_ in data["steps"]]
-    told = told or [f"{name} {waits}" for ring in data["rings"] for name, waits in ring["links"]]
-    items = "".join(f"<li>{html.escape(line)}</li>" for line in told)
+    lines = [f"{time:g} s: {said}" for time, said, *_ in data["steps"]]
+    lines = lines or [f"{name} {waits}" for ring in data["rings"] for name, waits in ring["links"]]
+    items = "".join(f"<li>{html.escape(line)}</li>" for line in lines)
     caption = f"<figcaption>simulated: {name}, {seconds:g} s</figcaption>"
     return f"<figure class='rosspin-scenes' data-scenes='{carried}'><ol>{items}</ol>{caption}</figure>"
 

@@ -319,19 +319,19 @@ class Frames:
 
     def as_yaml(self) -> str:
         """What is known of each frame, in YAML."""
-        told = "" if self._caches else "[]"
+        yaml = "" if self._caches else "[]"
         for name, cache in self._caches.items():
             if not cache or not (latest := cache.latest()):
                 continue
             span = cache.stamps[-1] - cache.stamps[0]
-            told += (
+            yaml += (
                 f"{name}: \n  parent: '{latest[1]}'\n  broadcaster: '{self._authorities[name]}'\n"
                 f"  rate: {len(cache.stamps) * 1e9 / max(span, 100_000):.3f}\n"
                 f"  most_recent_transform: {self._shown(cache.stamps[-1])}\n"
                 f"  oldest_transform: {self._shown(cache.stamps[0])}\n"
                 f"  buffer_length: {span / 1e9:.3f}\n"
             )
-        return told
+        return yaml
 
 
 def _first(ancestors: list[tuple[int, str]]) -> int:

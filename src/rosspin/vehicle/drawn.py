@@ -30,7 +30,7 @@ def drawn(drive: Drive, ticks: Iterable[float], seconds: float) -> list[str]:
     most = max(2 * EDGE, math.ceil(11 * drive.worst.off) / 10)
     last = spots[-1]
     off = [list(part) for is_off, part in groupby(spots, lambda spot: spot.off > EDGE) if is_off]
-    told = _some([command.time for command in drive.commands])
+    sent = _some([command.time for command in drive.commands])
     curve = "L".join(f"{_across(spot.time, seconds)} {100 - 100 * spot.off / most:.2f}" for spot in spots)
     edge = 100 - 100 * EDGE / most
     return [
@@ -39,11 +39,11 @@ def drawn(drive: Drive, ticks: Iterable[float], seconds: float) -> list[str]:
         "M" + "L".join(f"{x:.2f} {-y:.2f}" for x, y in line(right - 0.3)[::15]),  # its round end is seen
         _path(spots),
         "".join(map(_path, off)),
-        "".join(f"M{spot.x:.2f} {-spot.y:.2f}h0" for spot in _at(spots, told)),
+        "".join(f"M{spot.x:.2f} {-spot.y:.2f}h0" for spot in _at(spots, sent)),
         f"translate({last.x:.2f} {-last.y:.2f}) rotate({-math.degrees(last.heading):.1f})",
         f"M{curve}",
         f"M0 {edge:.2f}H1000",
-        *("".join(f"M{_across(time, seconds)} 0v1" for time in times) for times in (_some(list(ticks)), told)),
+        *("".join(f"M{_across(time, seconds)} 0v1" for time in times) for times in (_some(list(ticks)), sent)),
         f"{seconds:g}",
         f"{most:g}",
     ]

@@ -99,7 +99,7 @@ def _have_timers_of_their_own(seen: Seen, when: str) -> Finding | None:
     if not all(printed.values()):
         return None
     nodes: dict[str, str] = {}
-    told: dict[int, str] = {}  # by the number of a timer
+    tag_of: dict[int, str] = {}  # by the number of a timer
     second = "The exercise asks for a timer of its own for each, with its own period, callback and counter."
     for tag, counters in printed.items():
         timers, others = seen.printers(counters)
@@ -107,9 +107,9 @@ def _have_timers_of_their_own(seen: Seen, when: str) -> Finding | None:
             text = f"counter {plain(others[0].text)} of `[{tag}]` was not printed by the callback of a timer."
             return Finding(False, text, second)
         for timer in timers:
-            if timer.number in told:
-                return Finding(False, f"one timer prints both `[{told[timer.number]}]` and `[{tag}]`.", second)
-            told[timer.number] = nodes[timer.node] = tag
+            if timer.number in tag_of:
+                return Finding(False, f"one timer prints both `[{tag_of[timer.number]}]` and `[{tag}]`.", second)
+            tag_of[timer.number] = nodes[timer.node] = tag
     if len(nodes) > 1:
         names = " and ".join(f"`{plain(name)}`" for name in nodes)
         return Finding(False, f"the timers are of two nodes, {names}.", "One node can have both timers.")

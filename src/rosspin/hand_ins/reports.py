@@ -37,13 +37,13 @@ class Hard(NamedTuple):
 def hard(found: Class) -> list[Hard]:
     """Return the exercises that someone answered and has not solved, the hardest first."""
     titles = {exercise.name: exercise.title for exercise in EXERCISES}
-    told = []
+    counted = []
     for name in found.exercises:
         verdicts = [row.verdicts[name] for row in found.rows if name in row.verdicts]
         solved = sum(verdict.solved for verdict in verdicts)
         hints = Counter(verdict.hint for verdict in verdicts if verdict.hint)
-        told.append(Hard(name, titles.get(name, ""), len(verdicts), solved, tuple(hints.most_common())))
-    missed = [each for each in told if each.solved < each.answered]
+        counted.append(Hard(name, titles.get(name, ""), len(verdicts), solved, tuple(hints.most_common())))
+    missed = [each for each in counted if each.solved < each.answered]
     return sorted(missed, key=lambda each: each.solved / each.answered)
 
 
@@ -105,8 +105,8 @@ def as_csv(found: Class) -> list[list[str | int]]:
         said += [each.why if each else "" for each in verdicts]
         offs = ("" if (off := row.off(name)) is None else f"{off:g}" for name in driven)
         rows.append([*about, len(row.answers), row.solved, *said, *offs])
-    told = {row.file for row in found.rows if row.note}
-    rows += [["", "", "", "", "", file, f"refused: {why}"] for file, why in found.refused if file not in told]
+    noted = {row.file for row in found.rows if row.note}
+    rows += [["", "", "", "", "", file, f"refused: {why}"] for file, why in found.refused if file not in noted]
     return [[*row, *[""] * (len(rows[0]) - len(row))] for row in rows]
 
 

@@ -12,8 +12,8 @@ import pytest
 from tree import ROOT
 
 from rosspin.exercises import Verdict
+from rosspin.hand_ins.reports import PAGE_PYTHON, as_csv, as_data, as_words, hard, say_python, say_unsealed, write_csv
 from rosspin.hand_ins.students import Class, Row
-from rosspin.hand_ins.told import PAGE_PYTHON, as_csv, as_data, as_words, hard, say_python, say_unsealed, write_csv
 
 
 def a_class(*rows: tuple[str, dict[str, Verdict]]) -> Class:
