@@ -61,15 +61,6 @@ def test_half_a_snapshot_is_made_anew(site: Path, tmp_path: Path) -> None:
     assert len(gzip.decompress(made)) == len(gzip.decompress(whole))
 
 
-def test_pages_say_how_much_the_first_run_loads(site: Path) -> None:
-    loaded = ("live.js", "runs.js", "sandbox.html", "worker.js", "pyodide.asm.wasm", "snapshot.gz")
-    files = [(site / "_static/live" / name).read_bytes() for name in loaded]
-    whole, packed = (round(sum(map(len, sizes)) / 1e6) for sizes in (files, map(gzip.compress, files)))
-    for page in ("docs/tutorial.html", "docs/ros2/tutorial.html"):
-        text = " ".join(parsed(site / page).get_text().split())
-        assert f"about {whole} MB from this site, or {packed} MB if the server compresses" in text
-
-
 def test_plot_of_a_listing_that_says_for_how_long(watchful: None) -> None:
     text = (
         "import rospy\nrospy.init_node('a')\nrospy.Timer(rospy.Duration(rospy.get_param('~p')), print)\nrospy.spin()\n"
