@@ -104,7 +104,7 @@ def test_python_asks_for_parameters_of_cpp(write: Write) -> None:
     assert run.console.splitlines()[:2] == ["[0, 5]", "/holder [('whole', 6)]"]
 
 
-SCENARIOS = {file: recorded(f"{file}.txt") for file in ("ros2", "ros2_topics", "ros2_threads")}
+SCENARIOS = {file: recorded(f"{file}.txt") for file in ("ros2", "ros2_filters", "ros2_topics", "ros2_threads")}
 
 
 @pytest.mark.parametrize(("file", "name"), [(file, name) for file, names in SCENARIOS.items() for name in names])
@@ -113,12 +113,27 @@ def test_a_scenario_gives_what_rclcpp_would(file: str, name: str) -> None:
     assert compared(run.console, run.status) == SCENARIOS[file][name]
 
 
+def test_what_is_approximate_is_as_in_ros_1() -> None:
+    """There it was recorded. Only the warnings are other ones."""
+    real = recorded("ros1_filters.txt")
+    names = [name for name in SCENARIOS["ros2_filters"] if name.startswith("approximate")]
+    assert len(names) == 5
+    for name in names:
+        found, wanted = (
+            [line for line in text.splitlines() if "WARN" not in line]
+            for text in (SCENARIOS["ros2_filters"][name], real[name])
+        )
+        assert found == wanted
+
+
 @pytest.mark.parametrize("file", SCENARIOS)
 def test_a_page_says_the_same_of_each_scenario(file: str, tmp_path: Path) -> None:
     scenarios_are_like(file, tmp_path)
 
 
-@pytest.mark.parametrize(("file", "most"), [("ros2", 36), ("ros2_topics", 32), ("ros2_threads", 20)])
+@pytest.mark.parametrize(
+    ("file", "most"), [("ros2", 36), ("ros2_topics", 32), ("ros2_threads", 20), ("ros2_filters", 7)]
+)
 def test_each_scenario_has_its_lines(file: str, most: int) -> None:
     assert simulate(FOLDER / f"{file}.cpp", 1.0).console.split() == list(SCENARIOS[file])
     assert len(SCENARIOS[file]) >= most

@@ -21,7 +21,7 @@ from rosspin.results.recordings import load
 
 Write = Callable[[str, str], Path]
 
-SCENARIOS = {file: recorded(f"{file}.txt") for file in ("ros1", "ros1_graph", "ros1_threads")}
+SCENARIOS = {file: recorded(f"{file}.txt") for file in ("ros1", "ros1_filters", "ros1_graph", "ros1_threads")}
 PACKAGE = ROOT / "examples" / "my_robotics_pkg" / "src"
 PROBE = ROOT / "examples" / "timing_probes" / "src" / "timer_probe.cpp"
 

@@ -23,6 +23,7 @@ IN_LISTINGS = "canceled"
 IN_CODE = "color,initialized,colors,serialize,deserialize,writable,canceled,canceling,capitalize"
 IN_CODE += ",finalized,deserializing"
 IN_CODE += ",center,initialize,recognized,serialization,serialized,uninitialized,synchronize,unrecognized,normalize"
+IN_CODE += ",synchronizer"
 # A package that is a part of many words, a part of a word in a recorded error, words of rclpy's and message_filters'.
 NAMES = "simpy,te,transtion,infomation"
 

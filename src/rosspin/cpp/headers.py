@@ -22,6 +22,12 @@ _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILI
 # A header of ROS 2 that editors like to include: a part of a message's own.
 _PART = re.compile(r"(\w+/(?:msg|srv)/)detail/(\w+?)__(?:struct|traits|builder|type_support)\.hpp")
 
+# The headers of message_filters, which are one.
+_FILTERS = (
+    *("cache", "connection", "pass_through", "simple_filter", "subscriber", "synchronizer", "time_synchronizer"),
+    *("sync_policies/approximate_time", "sync_policies/exact_time"),
+)
+
 # The folders of the stand-in for each ROS, and what is made for it.
 _FOLDERS = {
     1: ("rosspin", "bits", "boost", "ros"),
@@ -76,7 +82,8 @@ def stand_ins(ros: int) -> Mapping[str, str]:
     files = {path.relative_to(_FOLDER).as_posix(): path.read_text(encoding="utf-8") for path in paths}
     name, make = _MADE[ros]
     made = {} if ros == 1 else _made(_OF_RCLCPP, Library(2), {})
-    return {**files, name: make(), **made}
+    filters = [f"message_filters/{each}.{kind}" for each in _FILTERS for kind in (("h",) if ros == 1 else ("h", "hpp"))]
+    return {**files, name: make(), **made, **dict.fromkeys(filters, '#include "rosspin/filters.hpp"\n')}
 
 
 def included(source: str) -> list[str]:

@@ -1284,8 +1284,9 @@ void NodeHandle::keep(const boost::shared_ptr<detail::Kept>& one)
 
 Publisher NodeHandle::advertise(AdvertiseOptions& options)
 {
+  options.topic = resolveName(options.topic);
   auto impl = boost::make_shared<detail::PublicationImpl>(
-      resolveName(options.topic), options, options.callback_queue ? options.callback_queue : getCallbackQueue());
+      options.topic, options, options.callback_queue ? options.callback_queue : getCallbackQueue());
   keep(impl);
   return Publisher(impl);
 }

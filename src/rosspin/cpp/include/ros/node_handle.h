@@ -260,6 +260,7 @@ public:
   }
   Subscriber subscribe(SubscribeOptions& options)
   {
+    options.topic = resolveName(options.topic);
     return subscribed(options.topic, options.datatype.c_str(), options.queue_size, options.receive,
         options.tracked_object, options.callback_queue, options.allow_concurrent_callbacks);
   }

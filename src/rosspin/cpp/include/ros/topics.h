@@ -83,6 +83,7 @@ public:
   typedef boost::shared_ptr<Message const> ConstMessagePtr;
 
   MessageEvent() = default;
+  MessageEvent(const ConstMessagePtr& message) : MessageEvent(message, "unknown_publisher", Time::now()) {}
   MessageEvent(const ConstMessagePtr& message, const std::string& publisher, Time received)
     : message_(message), publisher_(publisher), received_(received)
   {
@@ -297,6 +298,14 @@ struct SubscribeOptions
     queue_size = size;
     datatype = M::rosspin_type;
     receive = detail::receiving<const boost::shared_ptr<M const>&>(callback);
+  }
+  template<class P>
+  void initByFullCallbackType(const std::string& name, std::uint32_t size, const boost::function<void(P)>& callback)
+  {
+    topic = name;
+    queue_size = size;
+    datatype = detail::Adapter<P>::Message::rosspin_type;
+    receive = detail::receiving<P>(callback);
   }
   template<class M>
   static SubscribeOptions create(const std::string& name, std::uint32_t size,

@@ -1,0 +1,260 @@
+// Scenarios for message_filters of ROS 1, one for each run: ~scenario says which.
+
+#include <cstdio>
+#include <functional>
+#include <geometry_msgs/PointStamped.h>
+#include <geometry_msgs/TwistStamped.h>
+#include <map>
+#include <message_filters/cache.h>
+#include <message_filters/pass_through.h>
+#include <message_filters/subscriber.h>
+#include <message_filters/sync_policies/approximate_time.h>
+#include <message_filters/sync_policies/exact_time.h>
+#include <message_filters/synchronizer.h>
+#include <message_filters/time_synchronizer.h>
+#include <ros/ros.h>
+#include <string>
+
+namespace
+{
+typedef geometry_msgs::PointStamped Point;
+typedef geometry_msgs::TwistStamped Twist;
+
+void say(const std::string& what)
+{
+  std::puts(what.c_str());
+  std::fflush(stdout);
+}
+
+template<class M>
+std::string at(const M& message)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2f", message.header.stamp.toSec());
+  return text;
+}
+
+template<class M>
+boost::shared_ptr<M> stamped(double time)
+{
+  boost::shared_ptr<M> message(new M);
+  message->header.stamp = ros::Time(100.0 + time);
+  return message;
+}
+
+// Numbers by chance, and always the same.
+struct Chance
+{
+  unsigned state;
+  unsigned operator()(unsigned below)
+  {
+    state = state * 1664525u + 1013904223u;
+    return (state >> 8) % below;
+  }
+};
+
+void both(const Point::ConstPtr& point, const Twist::ConstPtr& twist) { say(at(*point) + " with " + at(*twist)); }
+void three(const Point::ConstPtr& one, const Twist::ConstPtr& two, const Point::ConstPtr& other)
+{
+  say(at(*one) + " with " + at(*two) + " and " + at(*other));
+}
+void dropped(const Point::ConstPtr& point, const Twist::ConstPtr& twist)
+{
+  say("dropped " + (point ? at(*point) : "none") + " and " + (twist ? at(*twist) : "none"));
+}
+
+struct Sink
+{
+  std::string name;
+  void both(const Point::ConstPtr& point, const Twist::ConstPtr& twist) { say(name + ": " + at(*point) + " " + at(*twist)); }
+  void one(const Point::ConstPtr& point) { say(name + ": " + at(*point)); }
+  void event(const ros::MessageEvent<Point const>& event) { say(name + ": event " + at(*event.getMessage())); }
+};
+
+typedef message_filters::sync_policies::ApproximateTime<Point, Twist> OfTwo;
+typedef message_filters::sync_policies::ApproximateTime<Point, Twist, Point> OfThree;
+
+// Give three topics messages by chance: their periods are alike, their stamps are not.
+void give(message_filters::Synchronizer<OfThree>& sync, unsigned seed, bool in_order)
+{
+  Chance chance{seed};
+  double times[3] = {0, 0, 0};
+  for (int each = 0; each < 60; each++)
+  {
+    unsigned topic = chance(3);
+    times[topic] += 0.01 * (in_order ? chance(20) : chance(24) - 4.0);
+    if (topic == 0)
+      sync.add<0>(stamped<Point>(times[0]));
+    else if (topic == 1)
+      sync.add<1>(stamped<Twist>(times[1]));
+    else
+      sync.add<2>(stamped<Point>(times[2]));
+  }
+}
+
+void by_chance(std::function<void(message_filters::Synchronizer<OfThree>&, unsigned)> set, bool in_order = true)
+{
+  for (unsigned seed = 1; seed < 6; seed++)
+  {
+    message_filters::Synchronizer<OfThree> sync(OfThree(seed == 1 ? 2 : 5 + seed));
+    sync.registerCallback(three);
+    set(sync, seed);
+    say("seed " + std::to_string(seed));
+    give(sync, seed, in_order);
+  }
+}
+
+typedef std::map<std::string, std::function<void(ros::NodeHandle&)>> Scenarios;
+
+Scenarios scenarios()
+{
+  using ros::NodeHandle;
+  Scenarios all;
+  all["subscribers"] = [](NodeHandle& nh)
+  {
+    message_filters::Subscriber<Point> points(nh, "points", 10);
+    message_filters::Subscriber<Twist> twists(nh, "twists", 10);
+    message_filters::TimeSynchronizer<Point, Twist> sync(points, twists, 10);
+    sync.registerCallback(boost::bind(&both, _1, _2));
+    points.registerCallback([](const Point::ConstPtr& point) { say("point " + at(*point)); });
+    ros::Publisher point = nh.advertise<Point>("points", 10), twist = nh.advertise<Twist>("twists", 10);
+    for (int each = 0; each < 6; each++)
+    {
+      point.publish(stamped<Point>(each));
+      if (each % 2 == 0)
+        twist.publish(stamped<Twist>(each));
+      ros::Duration(0.1).sleep();
+      ros::spinOnce();
+      if (each == 3)
+        points.unsubscribe();
+      if (each == 4)
+        points.subscribe();
+    }
+    say(points.getTopic() + " " + twists.getTopic());
+  };
+  all["exact"] = [](NodeHandle&)
+  {
+    message_filters::sync_policies::ExactTime<Point, Twist> policy(3);
+    message_filters::Synchronizer<message_filters::sync_policies::ExactTime<Point, Twist>> sync(
+        static_cast<const message_filters::sync_policies::ExactTime<Point, Twist>&>(policy));
+    sync.registerCallback(both);
+    sync.registerDropCallback(dropped);
+    for (double time : {1.0, 2.0, 3.0, 4.0, 5.0})
+      sync.add<0>(stamped<Point>(time));
+    for (double time : {2.5, 4.0, 4.0, 3.0, 5.0, 6.0, 7.0, 8.0, 9.0})
+      sync.add<1>(stamped<Twist>(time));
+    sync.add<0>(stamped<Point>(8.0));
+  };
+  all["exact_without_a_limit"] = [](NodeHandle&)
+  {
+    message_filters::TimeSynchronizer<Point, Twist> sync(0u);
+    sync.registerCallback(both);
+    for (int each = 0; each < 50; each++)
+      sync.add<0>(stamped<Point>(each));
+    sync.add1(stamped<Twist>(3));
+  };
+  all["callbacks"] = [](NodeHandle&)
+  {
+    message_filters::TimeSynchronizer<Point, Twist> sync(10);
+    Sink sink{"sink"}, other{"other"};
+    sync.registerCallback(&Sink::both, &sink);
+    message_filters::Connection connection = sync.registerCallback(boost::bind(&Sink::both, &other, _1, _2));
+    sync.registerCallback(both);
+    sync.add<0>(stamped<Point>(1));
+    sync.add<1>(stamped<Twist>(1));
+    connection.disconnect();
+    sync.add<0>(stamped<Point>(2));
+    sync.add<1>(stamped<Twist>(2));
+  };
+  all["passed_through"] = [](NodeHandle&)
+  {
+    message_filters::PassThrough<Point> first;
+    message_filters::PassThrough<Point> second(first);
+    Sink sink{"sink"}, other{"other"};
+    first.registerCallback(&Sink::one, &sink);
+    second.registerCallback(&Sink::event, &other);
+    first.add(stamped<Point>(1));
+    second.add(stamped<Point>(2));
+  };
+  all["cache"] = [](NodeHandle&)
+  {
+    message_filters::PassThrough<Point> in;
+    message_filters::Cache<Point> cache(in, 4);
+    Sink sink{"sink"};
+    cache.registerCallback(&Sink::one, &sink);
+    say(at(Point()) + " " + std::to_string(cache.getLatestTime().toSec()));
+    for (double time : {1.0, 3.0, 2.0, 5.0, 4.0, 4.5})
+      in.add(stamped<Point>(time));
+    auto tell = [](const std::string& what, const std::vector<Point::ConstPtr>& found)
+    {
+      std::string line = what;
+      for (const Point::ConstPtr& each : found)
+        line += " " + at(*each);
+      say(line);
+    };
+    auto time = [](double seconds) { return ros::Time(100.0 + seconds); };
+    tell("all", cache.getInterval(time(0), time(9)));
+    tell("from 3 to 4.5", cache.getInterval(time(3), time(4.5)));
+    tell("around 3.5 to 4.2", cache.getSurroundingInterval(time(3.5), time(4.2)));
+    tell("around 0 to 9", cache.getSurroundingInterval(time(0), time(9)));
+    tell("before 4", {cache.getElemBeforeTime(time(4))});
+    tell("after 4", {cache.getElemAfterTime(time(4))});
+    say(cache.getElemBeforeTime(time(0)) ? "one" : "none");
+    say(cache.getElemAfterTime(time(9)) ? "one" : "none");
+    say(std::to_string(cache.getOldestTime().toSec()) + " " + std::to_string(cache.getLatestTime().toSec()));
+  };
+  all["approximate"] = [](NodeHandle&)
+  {
+    message_filters::Synchronizer<OfTwo> sync(OfTwo(10));
+    sync.registerCallback(both);
+    for (int each = 0; each < 8; each++)
+    {
+      sync.add<0>(stamped<Point>(0.5 * each));
+      sync.add<1>(stamped<Twist>(0.5 * each + 0.1));
+    }
+    for (int each = 0; each < 8; each++)
+      sync.add<0>(stamped<Point>(5 + 0.5 * each));
+    sync.add<1>(stamped<Twist>(6.7));
+    sync.add<1>(stamped<Twist>(7.9));
+  };
+  all["approximate_by_chance"] = [](NodeHandle&) { by_chance([](message_filters::Synchronizer<OfThree>&, unsigned) {}); };
+  all["approximate_within_a_time"] = [](NodeHandle&)
+  {
+    by_chance([](message_filters::Synchronizer<OfThree>& sync, unsigned)
+        { sync.setMaxIntervalDuration(ros::Duration(0.1)); });
+  };
+  all["approximate_with_bounds"] = [](NodeHandle&)
+  {
+    by_chance([](message_filters::Synchronizer<OfThree>& sync, unsigned seed)
+        {
+          sync.setInterMessageLowerBound(ros::Duration(0.05));
+          sync.setInterMessageLowerBound(1, ros::Duration(0.02 * seed));
+        });
+  };
+  all["approximate_in_a_hurry"] = [](NodeHandle&)
+  {
+    by_chance([](message_filters::Synchronizer<OfThree>& sync, unsigned seed) { sync.setAgePenalty(seed); });
+  };
+  all["approximate_out_of_order"] = [](NodeHandle&)
+  {
+    by_chance([](message_filters::Synchronizer<OfThree>&, unsigned) {}, false);
+  };
+  return all;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "scenario");
+  ros::NodeHandle nh("~");
+  std::string name = nh.param<std::string>("scenario", "");
+  auto all = scenarios();
+  if (!all.count(name))
+  {
+    for (const auto& each : all)
+      std::puts(each.first.c_str());
+    return 2;
+  }
+  all[name](nh);
+  return 0;
+}
