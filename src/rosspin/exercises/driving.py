@@ -31,7 +31,7 @@ def unmoved(seen: Seen) -> Finding | None:
             return None
         text = f"a command came on `/cmd_vel`, at {say(sent[0].time)}, but it did not reach the vehicle."
         types = {plain(each.type) for each in seen.sent if each.topic == "/cmd_vel"}
-        hint = "What is published before the other node is found is lost: let a timer publish, again and again."
+        hint = "Messages published before the nodes find each other are lost: publish from a timer, again and again."
         if not any(name.endswith("Twist") for name in types):
             hint = f"The vehicle takes messages of the type `Twist`, and these are of another one: {', '.join(types)}."
         return Finding(False, text, hint)

@@ -77,6 +77,8 @@ def for_none(seen: Seen, tag: str, hint: str = "") -> str:
     slow = [timer for timer in seen.timers if not timer.calls and timer.period > seen.seconds]
     if slow and seen.interrupted:
         period, end = say(slow[0].period), say(seen.seconds)
-        late = f"A timer of the node has a period of {period}, so that its first call is due after the end, at {end}."
+        late = (
+            f"A timer of the node has a period of {period}, so its first call is not due before the run ends, at {end}."
+        )
         return f"{late} {hint or _PERIOD}"
     return hint

@@ -195,14 +195,15 @@ def ticks(
     return on_time(found, wanted, what, said)
 
 
-def unless_regular(hint: str) -> Hint:
-    """Return a hint for counters that leave their grid, or that have another period."""
+def unless_regular(asked: float, hint: str) -> Hint:
+    """Return a hint for counters that leave their grid, or that have another period than is ``asked`` for (s)."""
 
     def hint_for(found: Sequence[Printed]) -> str:
-        period = found[0].time if found else 0.0
-        if len(found) > 1 and all(abs(line.time - n * period) < CLOSE for n, line in enumerate(found, 1)):
+        period = found[0].time if found else asked
+        regular = len(found) > 1 and all(abs(line.time - n * period) < CLOSE for n, line in enumerate(found, 1))
+        if regular and abs(period - asked) > CLOSE:
             return (
-                f"They come every {say(period)}: that is the period of their timer now, not the one that is asked for."
+                f"They come every {say(period)}: that is the period of their timer now, not the one you were asked for."
             )
         return hint
 
@@ -377,7 +378,8 @@ def answered(
         text = f"{start}`{service}` was asked again at {say(calls[len(wanted)].asked)}."
         return Finding(False, text, same_often)
     if len(calls) < least:
-        times = f"asked {len(calls)} times in {say(seen.seconds)}, not {least} times"
+        often = "once" if len(calls) == 1 else f"{len(calls)} times"
+        times = f"asked {often} in {say(seen.seconds)}, not {least} times"
         return Finding(False, f"{start}`{service}` was {times}.", same_often)
     return Finding(True, f"{start}`{service}` was asked {len(calls)} times, and each answer came in its turn.")
 

@@ -101,7 +101,7 @@ HINTS = [
     "Call `self.timer.cancel()` in the callback.",
 ]
 HINTS_CPP = [
-    "Which variable stands for the timer?",
+    "Which variable holds the timer?",
     "A timer has a method `cancel()`.",
     "Call `timer_->cancel()` in the callback.",
 ]

@@ -96,13 +96,13 @@ check = predicted(
     not_kept=(
         "with a timer that is not kept",
         [],
-        "What becomes of a timer when the last `ros::Timer` that stands for it is gone?",
+        "What happens to a timer when the last `ros::Timer` that refers to it is gone?",
         {
             (
                 0.4,
                 0.8,
                 1.2,
-            ): "This is what rospy does. In C++ a timer ends with the last `ros::Timer` that stands for it.",
+            ): "This is what rospy does. In C++ a timer ends with the last `ros::Timer` that refers to it.",
         },
     ),
 )

@@ -89,7 +89,7 @@ check = predicted(
             (2, 1, 1, 2): "Here thread 2 begins. Thread 1 runs its first line before anything else.",
             (2, 1, 2, 1): "Here thread 2 begins, and thread 1 writes last, over what thread 2 has counted.",
             (2, 2, 1, 1): "Here thread 1 looks up what thread 2 has written, and nothing is lost.",
-            (1, 2): "Each thread runs two lines, so each stands in the list twice.",
+            (1, 2): "Each thread runs two lines, so each is in the list twice.",
         },
     ),
     report=(
@@ -135,7 +135,7 @@ WRONG = [
         "each thread runs its first line before",
     ),
     ({"[1, 2, 1, 2]": "[2, 2, 1, 1]"}, "the order: not 2, 2, 1, 1", "nothing is lost"),
-    ({"[1, 2, 1, 2]": "[1, 2]"}, "the order: not 1, 2", "so each stands in the list twice"),
+    ({"[1, 2, 1, 2]": "[1, 2]"}, "the order: not 1, 2", "so each is in the list twice"),
     (
         {"[1, 2, 1, 2]": "[1, 1, 1, 2]"},
         "the order: the second of these numbers is not 1",

@@ -61,7 +61,7 @@ HINTS = [
 ]
 HINT = "Does a timer call back before it has waited? What does the loop do before it sleeps?"
 
-_IN_HZ = "This takes the number for a frequency. `create_timer` is given the period, in seconds."
+_IN_HZ = "This mistakes the number for a frequency. `create_timer` takes a period, in seconds."
 
 check = predicted(
     timer=(
@@ -105,8 +105,8 @@ WRONG = [
         "The timer: not 0 s, 0.4 s, 0.8 s",
         "waits for one period before its first",
     ),
-    ({"[0.4, 0.8, 1.2]": "[2.5, 5.0, 7.5]"}, "The timer: not 2.5 s", "takes the number for a frequency"),
-    ({"[0.4, 0.8, 1.2]": "[0.0, 2.5, 5.0]"}, "The timer: not 0 s, 2.5 s", "takes the number for a frequency"),
+    ({"[0.4, 0.8, 1.2]": "[2.5, 5.0, 7.5]"}, "The timer: not 2.5 s", "mistakes the number for a frequency"),
+    ({"[0.4, 0.8, 1.2]": "[0.0, 2.5, 5.0]"}, "The timer: not 0 s, 2.5 s", "mistakes the number for a frequency"),
     ({"[0.4, 0.8, 1.2]": "[0.4, 0.8, 1.3]"}, "the third of these times is not 1.3 s", "And before the first one?"),
     ({"[0.4, 0.8, 1.2]": "[0.4, 0.8]"}, "3 times are asked for, not 2", "And before the first one?"),
     ({"[0.0, 0.4, 0.8]": "[0.4, 0.8, 1.2]"}, "The loop: not 0.4 s", "makes its first pass immediately"),

@@ -54,15 +54,15 @@ busy_loop = ...
 """
 
 HINTS = [
-    "A `rospy.Duration` is in seconds. A `rospy.Rate` is given a frequency: 4 Hz is 4 passes a second.",
+    "A `rospy.Duration` is in seconds. A `rospy.Rate` takes a frequency: 4 Hz is 4 passes a second.",
     "What does the loop do before it first sleeps?",
     "`loop_rate.sleep()` sleeps until the next period begins. How long is that after 0.1 s of work?",
 ]
 HINT = "When does the first tick come: at the start, or one period later? How far apart are the ticks?"
 
-_IN_HZ = "This takes 0.4 for a frequency. A timer is given its period, in seconds."
+_IN_HZ = "This mistakes 0.4 for a frequency. A timer takes a period, in seconds."
 _FIRST_PASS = "A loop makes its first pass immediately; `rate.sleep()` comes at the end of a pass."
-_IN_SECONDS = "This takes 4 for a period. A rate is given its frequency, in Hz."
+_IN_SECONDS = "This mistakes 4 for a period. A rate takes a frequency, in Hz."
 
 check = predicted(
     timer=(
@@ -141,13 +141,17 @@ WRONG = [
         "The timer: not 0 s, 0.4 s, 0.8 s",
         "A timer waits for one period before its first call",
     ),
-    ({"[0.4, 0.8, 1.2]": "[2.5, 5, 7.5]"}, "The timer: not 2.5 s", "This takes 0.4 for a frequency"),
+    ({"[0.4, 0.8, 1.2]": "[2.5, 5, 7.5]"}, "The timer: not 2.5 s", "This mistakes 0.4 for a frequency"),
     (
         {"\nloop = [0.0, 0.25, 0.5]": "\nloop = [0.25, 0.5, 0.75]"},
         "The loop: not 0.25 s",
         "makes its first pass immediately",
     ),
-    ({"\nloop = [0.0, 0.25, 0.5]": "\nloop = [0, 4, 8]"}, "The loop: not 0 s, 4 s, 8 s", "This takes 4 for a period"),
+    (
+        {"\nloop = [0.0, 0.25, 0.5]": "\nloop = [0, 4, 8]"},
+        "The loop: not 0 s, 4 s, 8 s",
+        "This mistakes 4 for a period",
+    ),
     (
         {"busy_loop = [0.0, 0.25, 0.5]": "busy_loop = [0, 0.35, 0.7]"},
         "not 0 s, 0.35 s, 0.7 s",

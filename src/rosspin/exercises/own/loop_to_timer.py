@@ -37,7 +37,7 @@ HINTS = [
     "Where does a timer node keep its counter between calls?",
     "The timer replaces the `Rate`, and `rospy.spin()` the loop.",
 ]
-HINT = "What stands in the loop goes into a callback, the loop goes, and `rospy.spin()` takes its place."
+HINT = "Move the body of the loop into a callback, remove the loop, and put `rospy.spin()` in its place."
 
 
 def _moved_to_a_timer(seen: Seen, when: str) -> Finding | None:
@@ -114,7 +114,7 @@ WRONG = [
         "Pass the function on without calling it:",
     ),
     ({"(self, event)": "(self)"}, "takes 1 positional argument but 2 were given", "one argument, the event"),
-    ({"1.0 / frequency_in_hz": "frequency_in_hz"}, "counter 1 came at 2 s, not at 0.5 s", "goes into a callback"),
+    ({"1.0 / frequency_in_hz": "frequency_in_hz"}, "counter 1 came at 2 s, not at 0.5 s", "into a callback"),
     (
         {DO_SPIN: "    rate = rospy.Rate(2.0)\n    while not rospy.is_shutdown():\n        rate.sleep()"},
         "there still is a loop, at line 21",
@@ -125,12 +125,12 @@ WRONG = [
         "there still is a loop, at line 20",
         "it needs no loop around it",
     ),
-    (at("0.5", SLEEPS_FIRST)[0], "no timer calls back", "goes into a callback"),
-    (at("0.5", THREAD)[0], "no timer calls back", "goes into a callback"),
+    (at("0.5", SLEEPS_FIRST)[0], "no timer calls back", "into a callback"),
+    (at("0.5", THREAD)[0], "no timer calls back", "into a callback"),
     (
         at("0.5", THREAD.replace("rospy.spin()", "rospy.Timer(rospy.Duration(1), print)\nrospy.spin()"))[0],
         "was printed by a loop",
-        "goes into a callback",
+        "into a callback",
     ),
     (
         f"""{HEAD}def callback(event):

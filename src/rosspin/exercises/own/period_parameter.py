@@ -112,11 +112,12 @@ def _refuses(seen: Seen, when: str) -> Finding:
     """Whether a node has refused a parameter in words, with a status other than 0 and without a traceback."""
     look = "Look at the period before you make the timer: write an error line, and end with status 1."
     if counters := seen.counters():
-        often = f"{len(counters)} time{'s' if len(counters) > 1 else ''} in {say(seen.seconds)}"
         if any(timer.is_endless for timer in seen.timers):
-            often = "without a pause"
-        text = f"{when}: the node ticked anyway, {often}."
-        return Finding(False, text, f"A timer takes a period of 0, and then calls back without a pause. {look}")
+            endless = f"A timer takes a period of 0, and then calls back without a pause. {look}"
+            return Finding(False, f"{when}: the node ticked anyway, without a pause.", endless)
+        often = "once" if len(counters) == 1 else f"{len(counters)} times"
+        other = "The node should refuse such a period, not take another one in its place."
+        return Finding(False, f"{when}: the node ticked anyway, {often} in {say(seen.seconds)}.", f"{other} {look}")
     if seen.errors:
         return Finding(False, f"{when}: the {say_error(seen.errors[-1])}", look)
     if seen.interrupted:
@@ -127,6 +128,8 @@ def _refuses(seen: Seen, when: str) -> Finding:
     said = [line.text.strip() for line in seen.printed if "period" in line.text.lower()]
     if not said:
         return Finding(False, f"{when}: no line says that the period is wrong.", look)
+    if all(line.startswith(("[DEBUG]", "[INFO]")) for line in said):
+        return Finding(False, f"{when}: the node did not log `{plain(said[0])}` as an error.", look)
     return Finding(True, f"{when}: the node said `{plain(said[0])}`, and ended with status {seen.status}.")
 
 
@@ -252,6 +255,12 @@ WRONG = [
         "end with status 1",
     ),
     (
+        {REFUSES: "        period = max(period, 0.01)\n"},
+        "With `period:=0.0`: the node ticked anyway, 100 times in 1 s",
+        "not take another one in its place",
+    ),
+    ({REFUSES: REFUSES.replace(".error(", ".info(")}, "did not log `[INFO]", "write an error line"),
+    (
         {REFUSES: REFUSES.replace("sys.exit(1)", "sys.exit()")},
         "ended with status 0, as if all were well",
         "from its status",
@@ -333,7 +342,7 @@ WRONG_CPP = [
     (
         {"duration<double>(period)": "duration<double>(1 / period)"},
         "Without the parameter: counter 1 came at 2 s",
-        "A timer of the node has a period of 10 s, so that its first",
+        "A timer of the node has a period of 10 s, so its first",
     ),
     (
         {"0.5)": "1)"},

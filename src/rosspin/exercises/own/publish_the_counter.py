@@ -107,10 +107,10 @@ HINTS_CPP = [
     "A new publisher takes a moment to connect to another process: the timer's callback is too late to make one.",
     "Five times a second: what is the period?",
 ]
-HINT = 'Make a `rospy.Publisher("counter", UInt32, queue_size=10)` in `__init__`, and let the callback publish.'
+HINT = 'Make a `rospy.Publisher("counter", UInt32, queue_size=10)` in `__init__`, and publish in the callback.'
 HINT_CPP = (
-    'Make the publisher in the constructor, `nh_.advertise<std_msgs::UInt32>("counter", 10)`, and let the callback '
-    "publish."
+    'Make the publisher in the constructor, `nh_.advertise<std_msgs::UInt32>("counter", 10)`, and publish in the '
+    "callback."
 )
 
 check = by.published_and_heard

@@ -94,7 +94,7 @@ check = by.until_wrong(
     *(
         by.goes_on(
             5.05,
-            by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(_SERVING)),
+            by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(0.1, _SERVING)),
             by.answered(
                 "/take_picture",
                 takes,
@@ -158,6 +158,14 @@ WRONG = [
     ({SLOW_GROUP: ")"}, "With `takes:=0.35`, the motor: counter 11 came at 1.35 s", "unless you give them others"),
     ({", MultiThreadedExecutor())": ")"}, "counter 11 came at 1.35 s", "a single-threaded executor calls nothing"),
     ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "counter 11 came at 1.35 s", "calls nothing"),
+    (
+        {
+            "        future = self.client.call_async(Trigger.Request())\n"
+            "        future.add_done_callback(self.done_callback)\n": "        self.client.call(Trigger.Request())\n"
+        },
+        "With `takes:=0.35`, the motor: counter 10, due at 1 s, did not come",
+        "unless you give them others",
+    ),
     (
         {MUTUAL_TIMER: "ReentrantCallbackGroup()", MUTUAL_IMPORT: "import ReentrantCallbackGroup"},
         "With `takes:=1.3`: the request of 2 s to `/take_picture` was answered at 3.3 s, not at 3.6 s",

@@ -79,7 +79,7 @@ _STARVED = (
     "While the camera's callback runs, a single-threaded executor calls nothing, and no executor calls what is in the "
     "same mutually exclusive group. A node's timers are in one such group unless you give them others."
 )
-_COMMANDED = by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(_STARVED))
+_COMMANDED = by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(0.1, _STARVED))
 HINT = "It takes two things: a `MultiThreadedExecutor`, and a callback group of its own for each timer."
 
 

@@ -87,7 +87,7 @@ HINTS = [
 ]
 HINTS_CPP = [
     "Returning early from the callback does not stop the timer.",
-    "Which variable stands for the timer?",
+    "Which variable holds the timer?",
     "A timer has a `stop()`, which its callback may call.",
 ]
 HINT = "Keep the timer in `self.timer`, and call its `shutdown()` after counter 5."

@@ -199,7 +199,7 @@ WRONG = [
     (
         {"(0.5,": "(5,"},
         "`[SLOW]`: no counter was printed",
-        "A timer of the node has a period of 5 s, so that its first call is due",
+        "A timer of the node has a period of 5 s, so its first call is not due",
     ),
     ({"(0.1,": "(0.5,"}, "`[FAST]`: counter 1 came at 0.5 s", AS_MANY),
     (

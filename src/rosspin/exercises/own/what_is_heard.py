@@ -105,9 +105,9 @@ check = predicted(
 )
 
 SOLUTION = """
-# Counter 1 is published before the connection stands, and is lost.
+# Counter 1 is published before the connection is made, and is lost.
 without_latch = [2, 3, 4]
-# It is kept, and sent as soon as the connection stands.
+# It is kept, and sent as soon as the connection is made.
 with_latch = [1, 2, 3]
 # Only the last one is kept.
 three_at_once = [3]
