@@ -58,7 +58,7 @@ def test_packages_are_found_around_the_node(tmp_path: Path) -> None:
         ("rospkg.RosPack().get_depends('a')", "rospkg.RosPack.get_depends"),
         ("rospkg.RosStack()", "rospkg.RosStack"),
         ("rospkg.RosPack().get_path('std_msgs')", "the folder of the package std_msgs"),
-        ("import roslib.message", "roslib.message"),
+        ("import roslib.manifest", "roslib.manifest"),
         ("import roslib.names; roslib.names.resource_name('a', 'b')", r"roslib\.names\.resource_name"),
         ("import rosgraph.network", r"rosgraph\.network"),
         (

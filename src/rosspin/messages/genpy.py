@@ -108,7 +108,7 @@ class TVal:
 class Duration(TVal):
     """A length of time, which may be negative: Duration(-0.25) has secs -1, nsecs 750000000."""
 
-    __slots__: list[str] = []
+    __slots__ = ["secs", "nsecs"]
 
     def __repr__(self) -> str:
         return f"genpy.Duration[{self.to_nsec()}]"
@@ -160,7 +160,7 @@ class Duration(TVal):
 class Time(TVal):
     """A point in time, since the epoch or, when simulated, since the start. Raises TypeError if negative."""
 
-    __slots__: list[str] = []
+    __slots__ = ["secs", "nsecs"]
 
     def __init__(self, secs: float = 0, nsecs: float = 0) -> None:
         super().__init__(secs, nsecs)

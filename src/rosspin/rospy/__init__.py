@@ -11,7 +11,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-from ..messages import MessageFinder, genpy, ros1
+from ..messages import MessageFinder, filling, genpy, ros1
 from ..messages.ros1 import Message
 from ..world.world import NotSimulated
 from . import client, core, exceptions, msg, names, numpy_msg, rostime, service, timer, topics, validators
@@ -84,7 +84,7 @@ IN_PART = {
 MODULES = {
     "rospy": sys.modules[__name__],
     "genpy": ros1,
-    "genpy.message": ros1,
+    "genpy.message": filling,
     "genpy.rostime": genpy,
     "rospy.client": client,
     "rospy.core": core,

@@ -10,6 +10,7 @@ from pathlib import Path
 from types import FrameType, ModuleType
 from typing import Any
 
+from ..messages import filling
 from ..messages.library import Library
 from ..world.world import NotSimulated, refusing
 from . import rosgraph
@@ -110,6 +111,7 @@ MODULES: dict[str, ModuleType] = {
     ),
     "rospkg.common": _module("rospkg.common", "ResourceNotFound"),
     "roslib": _module("roslib", "load_manifest"),
+    "roslib.message": filling,
     "roslib.names": _names,
     "roslib.packages": _module("roslib.packages", "InvalidROSPkgException", "get_pkg_dir", lacking=("find_node",)),
 }
