@@ -28,7 +28,7 @@ __all__ = [
 
 
 def get_message_class(message_type: str, reload_on_error: bool = False) -> Any:
-    """Return the class of a name, as of std_msgs/String, or None. Raises ValueError for a name without a package."""
+    """Return the class with a name such as std_msgs/String, or None. Raises ValueError for a name without a package."""
     return _class_of("msg", message_type)
 
 
@@ -50,7 +50,7 @@ def _class_of(folder: str, name: str) -> Any:
 
 
 def get_printable_message_args(msg: Message, buff: Any = None, prefix: str = "") -> str:
-    """Return the names of all fields, with a dot before those of a message inside."""
+    """Return the names of all fields; in a message inside, they follow its name and a dot."""
     names = []
     for name in msg.__slots__:
         value = getattr(msg, name)

@@ -339,6 +339,9 @@ class Executor:
 
     def _rosspin_gather(self, nodes: list[Node]) -> tuple[list[Timer], list[Receiver], list[GuardCondition]]:
         """Collect what to wait for."""
+        for node in nodes:
+            for name in node._rosspin_replaced:
+                iter(getattr(node, name))
         can_execute = self.can_execute
         receivers: list[Any] = [each for node in nodes for each in node._subscriptions if can_execute(each)]
         timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]

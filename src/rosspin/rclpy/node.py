@@ -89,6 +89,10 @@ def _class_of(msg_type: Any) -> type[Message]:
     return msg_type if isinstance(msg_type, type) else type(msg_type)
 
 
+# What an executor asks a node for, in this order.
+_SERVED = ("subscriptions", "timers", "clients", "services", "guards", "waitables")
+
+
 def _nobody() -> None:
     return None
 
@@ -153,6 +157,9 @@ class Node(Parameters):
         self._rosspin_life = Life(own.destroy)
         self._logger = logging.get_logger(own.logger_name)
 
+        # What its class defines under these names is met where rclpy asks for them.
+        own_kind = type(self)
+        self._rosspin_replaced = [name for name in _SERVED if getattr(own_kind, name) is not getattr(Node, name)]
         self._publishers: list[Publisher] = []
         self._subscriptions: list[Subscription] = []
         self._clients: list[Client] = []
@@ -179,6 +186,9 @@ class Node(Parameters):
             logging.publish_on_rosout(own.logger_name, own.name, own.topics.tell_log)
             own.at_end.append(partial(logging.leave_rosout, logs, own.logger_name))
         own.at_end.append(own.topics.end)
+        with self.handle:  # as rclpy does, which makes the publisher of /parameter_events now
+            if own_kind.create_publisher is not Node.create_publisher:
+                self._parameter_event_publisher = own.topics.make_with(self.create_publisher)
         own.topics.look()
         super().__init__(overrides, allow_undeclared_parameters)
         self._clock = ROSClock()
@@ -196,7 +206,9 @@ class Node(Parameters):
         own.describes = self.get_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM).value
         # Whoever looks for these services first may be another process, which would import classes of its own.
         self._rosspin_lacking = import_module("rcl_interfaces.srv") if start_parameter_services else None
-        if own.full_name in own.context.state.world.graph.part(Ends).asked:
+        is_asked = own.full_name in own.context.state.world.graph.part(Ends).asked
+        usual = own_kind.create_service is Node.create_service and own_kind.destroy_service is Node.destroy_service
+        if is_asked or not usual:
             self._rosspin_start_services()
         if enable_logger_service:
             LoggingService(self)
@@ -400,7 +412,7 @@ class Node(Parameters):
         """
         group = callback_group or self.default_callback_group
         period = int(float(timer_period_sec) * 1e9)
-        timer = Timer(callback, group, period, clock or self._clock, context=self._context, autostart=autostart)
+        timer = Timer(callback, group, period, clock or self._clock, context=self.context, autostart=autostart)
         timer._rosspin_nudge = self._rosspin.nudge
         self._rosspin_add(timer, self._timers)
         return timer
@@ -410,7 +422,7 @@ class Node(Parameters):
         if frequency <= 0:
             raise ValueError("frequency must be > 0")
         timer = self.create_timer(1.0 / frequency, None, self._rate_group, clock)
-        return Rate(timer, context=self._context)
+        return Rate(timer, context=self.context)
 
     def create_guard_condition(
         self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
@@ -797,7 +809,7 @@ class Node(Parameters):
             return False
         entities.remove(entity)
         for handler in getattr(entity, "event_handlers", ()):
-            self.remove_waitable(handler)
+            Node.remove_waitable(self, handler)
         entity.destroy()
         self._wake_executor()
         return True
@@ -808,13 +820,20 @@ class Node(Parameters):
         As on a real ROS, others know it as long as one of these is there.
         """
         self._rosspin_lacking = None
+        if type(self).destroy_publisher is not Node.destroy_publisher:
+            self._rosspin.topics.make(own_topics.PARAMETER_EVENTS)
         self._parameter_event_publisher = None
-        for entities in (
-            *(self._publishers, self._subscriptions, self._clients, self._services),
-            *(self._timers, self._guards),
-        ):
+        all_entities: list[tuple[list[Any], Callable[[Any], Any]]] = [
+            (self._publishers, self.destroy_publisher),
+            (self._subscriptions, self.destroy_subscription),
+            (self._clients, self.destroy_client),
+            (self._services, self.destroy_service),
+            (self._timers, self.destroy_timer),
+            (self._guards, self.destroy_guard_condition),
+        ]
+        for entities, destroy in all_entities:
             while entities:
-                self._rosspin_destroy(entities[0], entities)
+                destroy(entities[0])
         self._rosspin.describes = False
         self._rosspin.destroy()
         self._wake_executor()

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from collections import deque
+from collections.abc import Callable
 from types import CodeType, FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -75,6 +76,11 @@ class OwnTopics:
                 self._rosout = end
             elif owner:
                 owner._rosspin_add_event_publisher(end)
+
+    def make_with(self, create: Callable[..., Any]) -> Any:
+        """Let a method of the node's class make the publisher of /parameter_events."""
+        self._topics.remove(PARAMETER_EVENTS)
+        return create(self._types.ParameterEvent, PARAMETER_EVENTS, _QOS[PARAMETER_EVENTS])
 
     def end(self) -> None:
         """End what rcl ends with the node."""

@@ -216,19 +216,14 @@ class Parameters:
         InvalidParameterValueException if the value is out of range or refused by a callback, TypeError and ValueError.
         """
         entry: tuple[Any, ...] = (name,) if value is None and descriptor is None else (name, value, descriptor)
-        return self._rosspin_declare_parameters("", [entry], ignore_override)[0]
+        return self.declare_parameters("", [entry], ignore_override)[0]
 
     def declare_parameters(
         self, namespace: str, parameters: Iterable[tuple[Any, ...]], ignore_override: bool = False
     ) -> list[Parameter]:
         """Declare parameters given by name, or name and value, or these and a descriptor, as ``namespace.name``."""
-        return self._rosspin_declare_parameters(namespace, parameters, ignore_override)
-
-    def _rosspin_declare_parameters(
-        self, namespace: str, entries: Iterable[tuple[Any, ...]], ignore_override: bool
-    ) -> list[Parameter]:
         declared: list[tuple[Parameter, Any]] = []
-        for index, entry in enumerate(entries):
+        for index, entry in enumerate(parameters):
             if not 1 <= len(entry) <= 3:
                 raise TypeError(
                     f"Invalid parameter tuple length at index {index} in parameters list: "

@@ -218,6 +218,7 @@ class Task(Future):
             else:
                 self.set_result(result)
             self._handler = self._rosspin_coroutine = None
+            self._rosspin_arguments = (), {}  # of a callback, these hold the executor and the node
             # An exception that ends the program, such as SystemExit, leaves the task executing without end.
             self._executing = False
             if self._rosspin_watcher:
