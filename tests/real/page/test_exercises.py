@@ -104,6 +104,15 @@ def test_a_run_is_in_view_on_each_exercise(browser: Browser, address: str, site:
         assert not wide
 
 
+def test_a_prediction_is_written_where_it_stays_in_view(page: Page, address: str) -> None:
+    """The page does not move when its cell is edited: one reads the node meanwhile."""
+    page.set_viewport_size({"width": 390, "height": 844})
+    cell = open_exercise(page, address, "first-ticks")
+    cell.write("timer = [0.4, 0.8, 1.2]\n")
+    expect(cell.button("Run")).to_be_in_viewport(ratio=1)
+    assert page.evaluate("scrollY") == 0
+
+
 def test_links_to_the_list_lead_to_the_exercise(page: Page, address: str) -> None:
     """With its name, which was a heading there, with the words of that heading, or with code for it."""
     for anchor, name in ("two-timers", "two-timers"), ("give-a-node-two-timers", "two-timers"):
