@@ -17,6 +17,7 @@ NODES = ["datetime", "statistics"]
 
 for name in [*LATER, *NODES]:
     importlib.import_module(name)
+    gc.collect()  # what an import leaves is room for the next: the memory must not grow
 for name in [found.name for found in iter_modules(messages.__path__) if found.name.startswith("ros")]:
     importlib.import_module(f"rosspin.messages.{name}")
 for ros in (1, 2):

@@ -11,7 +11,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-from ..messages import MessageFinder, filling, genpy, ros1
+from ..messages import MessageFinder, genpy, ros1
 from ..messages.ros1 import Message
 from ..world.world import NotSimulated
 from . import client, core, exceptions, msg, names, numpy_msg, rostime, service, timer, topics, validators
@@ -84,7 +84,7 @@ IN_PART = {
 MODULES = {
     "rospy": sys.modules[__name__],
     "genpy": ros1,
-    "genpy.message": filling,
+    "genpy.message": ros1,
     "genpy.rostime": genpy,
     "rospy.client": client,
     "rospy.core": core,
@@ -98,6 +98,18 @@ MODULES = {
     "rospy.timer": timer,
     "rospy.topics": topics,
 }
+
+# Few nodes ask for these of genpy.message.
+_FILLING = {"fill_message_args", "get_message_class", "get_printable_message_args", "get_service_class"}
+
+
+def _of_filling(name: str) -> Any:
+    if name in _FILLING:
+        return getattr(import_module("..messages.filling", __package__), name)
+    raise AttributeError(f"module 'genpy.message' has no attribute {name!r}", name=name)
+
+
+ros1.__getattr__ = _of_filling  # type: ignore[method-assign]
 
 # What importing rospy registers with atexit: function, args, kwargs.
 AT_EXIT: list[Any] = [(core.signal_shutdown, ("atexit",), {})]
