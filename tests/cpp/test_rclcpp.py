@@ -99,6 +99,36 @@ def test_cpp_finds_the_parameters_of_another_process_soon(write: Write) -> None:
     assert run.console.splitlines()[0] == "1 5 1"
 
 
+HEARS_BEST_EFFORT = """\
+import rclpy
+from rclpy.qos import QoSProfile
+from std_msgs.msg import UInt32
+rclpy.init()
+node = rclpy.create_node("hears", namespace="lab")
+node.create_subscription(UInt32, "/topic", print, QoSProfile(depth=3, reliability=2, durability=2))
+rclpy.spin(node)
+"""
+
+LOOKS = """
+  auto node = std::make_shared<rclcpp::Node>("looks");
+  auto publisher = node->create_publisher<std_msgs::msg::UInt32>("topic", 10);
+  rclcpp::sleep_for(std::chrono::seconds(1));
+  for (const auto& each : node->get_subscriptions_info_by_topic("/topic"))
+    std::printf("%s %s %s %d %d\\n", each.node_name().c_str(), each.node_namespace().c_str(), each.topic_type().c_str(),
+        each.endpoint_type() == rclcpp::EndpointType::Subscription,
+        each.qos_profile().reliability() == rclcpp::ReliabilityPolicy::BestEffort);
+  for (const auto& each : node->get_publishers_info_by_topic("/topic"))
+    std::printf("%s %d\\n", each.node_name().c_str(),
+        each.qos_profile().reliability() == rclcpp::ReliabilityPolicy::Reliable);
+"""
+
+
+def test_cpp_sees_the_ends_of_a_topic(write: Write) -> None:
+    text = main(LOOKS, '"std_msgs/msg/u_int32.hpp"')
+    run = simulate([str(write(text, "looks.cpp")), str(write(HEARS_BEST_EFFORT, "hears.py"))], 1.5)
+    assert run.console.splitlines()[:2] == ["hears /lab std_msgs/msg/UInt32 1 1", "looks 1"]
+
+
 def test_python_asks_for_parameters_of_cpp(write: Write) -> None:
     run = simulate([str(write(HOLDS, "holds.cpp")), str(write(ASKS, "asks.py"))], 1.5)
     assert run.console.splitlines()[:2] == ["[0, 5]", "/holder [('whole', 6)]"]

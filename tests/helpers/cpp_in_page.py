@@ -19,8 +19,8 @@ from rosspin.cpp.building import node_command
 PAGE = ROOT / "tests/helpers/programs_in_page.mjs"
 COLOURS = re.compile(r"\x1b\[[\d;]*m")
 
-# What a node that is alone cannot ask in a page: of the nodes around it.
-ASKS_FOR_OTHERS = re.compile(r"in a page, to ask for the [\w ]+ of nodes is not simulated")
+# What a node that is alone cannot have in a page: to ask for the nodes around it, and what waits for them.
+ASKS_FOR_OTHERS = re.compile(r"in a page, [\w ]+ is not simulated")
 
 
 def in_page(

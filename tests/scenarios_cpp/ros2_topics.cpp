@@ -24,6 +24,8 @@ struct Listener
   }
 };
 
+int timer_calls = 0;
+
 void show(const UInt32& message) { say(std::to_string(message.data)); }
 
 void hear(UInt32::UniquePtr message) { say("unique " + std::to_string(message->data)); }
@@ -55,6 +57,102 @@ std::map<std::string, Scenario> scenarios()
     rclcpp::spin_some(node);
     say("some");
     rclcpp::spin_some(node);
+  };
+  all["matched"] = [](const Shared& node)
+  {
+    auto tell = [](const std::string& who)
+    {
+      return [=](rclcpp::MatchedInfo& info)
+      {
+        say(who + " " + std::to_string(info.total_count) + " " + std::to_string(info.total_count_change) + " " +
+            std::to_string(info.current_count) + " " + std::to_string(info.current_count_change));
+      };
+    };
+    rclcpp::PublisherOptions of_publisher;
+    of_publisher.event_callbacks.matched_callback = tell("publisher");
+    rclcpp::SubscriptionOptions of_subscription;
+    of_subscription.event_callbacks.matched_callback = tell("subscription");
+    auto publisher = node->create_publisher<UInt32>("topic", 10, of_publisher);
+    auto one = node->create_subscription<UInt32>("topic", 10, show, of_subscription);
+    auto other = node->create_subscription<UInt32>("topic", 10, show);
+    rclcpp::spin_some(node);
+    say("one goes");
+    other.reset();
+    rclcpp::spin_some(node);
+    publisher.reset();
+    rclcpp::spin_some(node);
+  };
+  all["incompatible"] = [](const Shared& node)
+  {
+    auto tell = [](const std::string& who)
+    {
+      return [=](rclcpp::QOSOfferedIncompatibleQoSInfo& info)
+      {
+        say(who + " " + std::to_string(info.total_count) + " " + std::to_string(info.total_count_change) + " " +
+            rclcpp::qos_policy_name_from_kind(info.last_policy_kind));
+      };
+    };
+    rclcpp::PublisherOptions of_publisher;
+    of_publisher.event_callbacks.incompatible_qos_callback = tell("publisher");
+    rclcpp::SubscriptionOptions of_subscription;
+    of_subscription.event_callbacks.incompatible_qos_callback = tell("subscription");
+    auto publisher = node->create_publisher<UInt32>("topic", rclcpp::QoS(10).best_effort(), of_publisher);
+    auto one = node->create_subscription<UInt32>("topic", 10, show, of_subscription);
+    auto other = node->create_subscription<UInt32>("topic", 10, show);
+    rclcpp::SubscriptionOptions silent;
+    silent.use_default_callbacks = false;
+    auto last = node->create_subscription<UInt32>("topic", rclcpp::QoS(10).transient_local(), show, silent);
+    say("nobody spins");
+    rclcpp::sleep_for(500ms);
+    rclcpp::spin_some(node);
+  };
+  all["deadline"] = [](const Shared& node)
+  {
+    auto tell = [](const std::string& who)
+    {
+      return [=](rclcpp::QOSDeadlineOfferedInfo& info)
+      { say(who + " " + std::to_string(info.total_count) + " " + std::to_string(info.total_count_change)); };
+    };
+    rclcpp::PublisherOptions of_publisher;
+    of_publisher.event_callbacks.deadline_callback = tell("publisher");
+    rclcpp::SubscriptionOptions of_subscription;
+    of_subscription.event_callbacks.deadline_callback = tell("subscription");
+    auto qos = rclcpp::QoS(10).deadline(rclcpp::Duration::from_seconds(0.5));
+    auto publisher = node->create_publisher<UInt32>("topic", qos, of_publisher);
+    auto subscription = node->create_subscription<UInt32>("topic", qos, show, of_subscription);
+    auto timer = node->create_wall_timer(700ms, [&]
+        {
+          publisher->publish(number(7));
+          timer_calls++;
+          if (timer_calls == 2)
+            rclcpp::sleep_for(1300ms);
+        });
+    rclcpp::spin(node);
+  };
+  all["liveliness"] = [](const Shared& node)
+  {
+    rclcpp::PublisherOptions of_publisher;
+    of_publisher.event_callbacks.liveliness_callback = [](rclcpp::QOSLivelinessLostInfo& info)
+    { say("lost " + std::to_string(info.total_count)); };
+    rclcpp::SubscriptionOptions of_subscription;
+    of_subscription.event_callbacks.liveliness_callback = [](rclcpp::QOSLivelinessChangedInfo& info)
+    {
+      say("alive " + std::to_string(info.alive_count) + " " + std::to_string(info.alive_count_change) + " not alive " +
+          std::to_string(info.not_alive_count) + " " + std::to_string(info.not_alive_count_change));
+    };
+    auto qos = rclcpp::QoS(10)
+                   .liveliness(rclcpp::LivelinessPolicy::ManualByTopic)
+                   .liveliness_lease_duration(rclcpp::Duration::from_seconds(0.5));
+    auto publisher = node->create_publisher<UInt32>("topic", qos, of_publisher);
+    auto subscription = node->create_subscription<UInt32>("topic", qos, show, of_subscription);
+    auto timer = node->create_wall_timer(300ms, [&]
+        {
+          if (++timer_calls < 3)
+            publisher->assert_liveliness();
+          if (timer_calls == 6)
+            publisher->publish(number(7));
+        });
+    rclcpp::spin(node);
   };
   all["queue_of_1"] = [](const Shared& node)
   {

@@ -15,6 +15,7 @@ from typing import Any
 from ..messages import cdr
 from ..rclpy import context, logging
 from ..rclpy.duration import Duration
+from ..rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from ..rclpy.exceptions import (
     InvalidNamespaceException,
     InvalidNodeNameException,
@@ -42,6 +43,7 @@ _NAMES = {
     InvalidServiceNameException: "service name",
 }
 
+_POLICIES = ("history", "depth", "reliability", "durability", "liveliness")
 _LENGTHS = ("deadline", "lifespan", "liveliness_lease_duration")
 
 
@@ -152,20 +154,55 @@ class Ros2:
 
     def _infos(self, node: int, what: str, topic: str, no_mangle: bool) -> dict[str, Any]:
         found = getattr(self._nodes[node], f"get_{what}_info_by_topic")(topic, no_mangle)
-        return {"infos": [[each.node_name, each.node_namespace, each.topic_type] for each in found]}
+        return {
+            "infos": [
+                [
+                    each.node_name,
+                    each.node_namespace,
+                    each.topic_type,
+                    int(each.endpoint_type),
+                    _policies(each.qos_profile),
+                ]
+                for each in found
+            ]
+        }
 
     # --- topics and services ---
 
-    def _publisher(self, node: int, topic: str, kind: str, profile: dict[str, int]) -> dict[str, Any]:
-        made = self._nodes[node].create_publisher(_class(kind), topic, _profile(profile))
+    def _publisher(
+        self, node: int, topic: str, kind: str, profile: dict[str, int], events: list[str]
+    ) -> dict[str, Any]:
+        callbacks = PublisherEventCallbacks(
+            use_default_callbacks=False, **self._events(True, len(self._publishers), events)
+        )
+        made = self._nodes[node].create_publisher(_class(kind), topic, _profile(profile), event_callbacks=callbacks)
         self._publishers.append(made)
         return {"id": len(self._publishers) - 1, "name": made.topic_name}
 
-    def _subscription(self, node: int, topic: str, kind: str, profile: dict[str, int]) -> dict[str, Any]:
-        made = self._nodes[node].create_subscription(_class(kind), topic, _ignore, _profile(profile), raw=True)
+    def _subscription(
+        self, node: int, topic: str, kind: str, profile: dict[str, int], events: list[str]
+    ) -> dict[str, Any]:
+        callbacks = SubscriptionEventCallbacks(
+            use_default_callbacks=False, **self._events(False, len(self._subscriptions), events)
+        )
+        made = self._nodes[node].create_subscription(
+            _class(kind), topic, _ignore, _profile(profile), raw=True, event_callbacks=callbacks
+        )
         self._subscriptions.append(made)
         self._feed()
         return {"id": len(self._subscriptions) - 1, "name": made.topic_name}
+
+    def _events(self, is_publisher: bool, number: int, names: list[str]) -> dict[str, Callable[[Any], None]]:
+        """Return callbacks that tell the program of events of an end, of the publishers or of the subscriptions."""
+
+        def teller(name: str) -> Callable[[Any], None]:
+            def tell(info: Any) -> None:
+                counts = {key: int(value) for key, value in vars(info).items()}
+                self._event("happened", [is_publisher, number, name, counts])
+
+            return tell
+
+        return {name: teller(name) for name in names}
 
     def _service(self, node: int, name: str, kind: str, profile: dict[str, int]) -> dict[str, Any]:
         made = self._nodes[node].create_service(_class(kind), name, _ignore, qos_profile=_profile(profile))
@@ -254,7 +291,7 @@ class _Node(Node):
         """Tell of the ones that the program makes; it has the same as this node from the beginning."""
 
     def tell_events(self) -> None:
-        """Log what did not match."""
+        """Tell of what has happened to its ends."""
         for waitable in self._rosspin_waitables:
             if call := waitable._rosspin_take():
                 function, arguments, _ = call
@@ -279,6 +316,12 @@ def _class(kind: str) -> Any:
     """Return the class of a message or a service, as in std_msgs/msg/UInt32."""
     package, folder, name = kind.split("/")
     return getattr(import_module(f"{package}.{folder}"), name)
+
+
+def _policies(profile: QoSProfile) -> dict[str, int]:
+    """Return what :func:`_profile` is given."""
+    numbers = {name: int(getattr(profile, name)) for name in _POLICIES}
+    return {**numbers, **{name: getattr(profile, name).nanoseconds for name in _LENGTHS}}
 
 
 def _profile(given: dict[str, int]) -> QoSProfile:

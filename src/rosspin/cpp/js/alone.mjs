@@ -171,8 +171,11 @@ export class Alone extends Node {
   #asked(what, values) {
     const answer = this.#ros.asked[what]
     if (answer) return answer(...values)
-    const name = what === "not_simulated" ? values[0] : `in a page, to ask for the ${what.replaceAll("_", " ")} of nodes`
-    this.#say(`${name} is not simulated; run this node on a real ROS\n`)
+    this.refuse(what === "not_simulated" ? values[0] : `in a page, to ask for the ${what.replaceAll("_", " ")} of nodes`)
+  }
+
+  refuse(what) {
+    this.#say(`${what} is not simulated; run this node on a real ROS\n`)
     this.#finish(1)
   }
 

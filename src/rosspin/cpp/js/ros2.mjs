@@ -4,6 +4,7 @@
 const FORMAT = "[{severity}] [{time}] [{name}]: {message}"
 const LEVELS = { unset: 0n, debug: 10n, info: 20n, warn: 30n, error: 40n, fatal: 50n }
 const [RELIABLE, BEST_EFFORT, TRANSIENT_LOCAL, VOLATILE] = [1n, 2n, 1n, 2n]
+const [RELIABILITY, DURABILITY] = [16n, 2n] // kinds of policies
 
 /** An answer that is an error. */
 class Refused extends Error {
@@ -23,7 +24,9 @@ export class Ros2 {
   #clients = []
   #requests = new Map() // those that are not answered, by their numbers: whose they are
 
-  /** `host` has `event(what, values)`, which gives something to the node as soon as it waits, `now` and `logLine(level, name, text)`. */
+  /** `host` has `event(what, values)`, which gives something to the node as soon as it waits, `now`,
+   * `logLine(level, name, text)`, and `refuse(what)`, which ends the run.
+   */
   constructor(host) {
     this.#host = host
   }
@@ -33,17 +36,17 @@ export class Ros2 {
       init: (words, withLogging) => this.#init(words, withLogging),
       node: (context, name, space, words, useGlobal) => this.#node(context, name, space, words, useGlobal),
       resolve: (node, name, isService, onlyExpand) => ({ name: this.#resolve(node, name, isService, onlyExpand) }),
-      publisher: (node, topic, kind, qos) => {
-        const end = this.#end(node, topic, kind, qos)
-        const id = add(this.#publishers, { ...end, kept: [], sent: 0n })
-        for (const each of this.#subscriptions) this.#refuse(this.#publishers[id], each)
-        return { id, name: end.name }
+      publisher: (node, topic, kind, qos, events) => {
+        const end = { ...this.#end(node, topic, kind, qos, events), kept: [], sent: 0n, isPublisher: true }
+        end.id = add(this.#publishers, end)
+        for (const each of this.#subscriptions) this.#join(end, each)
+        return { id: end.id, name: end.name }
       },
-      subscription: (node, topic, kind, qos) => {
-        const end = this.#end(node, topic, kind, qos)
-        const id = add(this.#subscriptions, end)
+      subscription: (node, topic, kind, qos, events) => {
+        const end = { ...this.#end(node, topic, kind, qos, events), isPublisher: false }
+        const id = (end.id = add(this.#subscriptions, end))
         for (const each of this.#publishers) {
-          this.#refuse(each, end)
+          this.#join(each, end)
           if (!meet(each, end) || qos.durability !== TRANSIENT_LOCAL) continue
           each.kept.forEach((message) => this.#host.event("message", [id, ...message]))
         }
@@ -95,25 +98,50 @@ export class Ros2 {
       if (!this.#clients[client].ended) this.#host.event("response", [client, sequence, data])
     },
     end_node: (number) => delete this.#nodes[number],
-    end_publisher: (number) => (this.#publishers[number].ended = true),
-    end_subscription: (number) => (this.#subscriptions[number].ended = true),
+    end_publisher: (number) => this.#part(this.#publishers[number]),
+    end_subscription: (number) => this.#part(this.#subscriptions[number]),
     end_service: (number) => (this.#services[number].ended = true),
     end_client: (number) => (this.#clients[number].ended = true),
   }
 
-  #end(node, topic, kind, qos) {
-    return { name: this.#resolve(node, topic, false), topic, kind, qos, logger: this.#nodes[node].logger }
+  #end(node, topic, kind, qos, events) {
+    if (events.includes("deadline") && finite(qos.deadline)) this.#host.refuse("in a page, a deadline")
+    if (events.includes("liveliness") && finite(qos.liveliness_lease_duration)) this.#host.refuse("in a page, liveliness")
+    return { name: this.#resolve(node, topic, false), kind, qos, events, counts: {} }
   }
 
-  /** Say of two ends by which policy they do not match, if any. */
-  #refuse(publisher, subscription) {
-    const policy = meet({ ...publisher, qos: subscription.qos }, subscription) && mismatch(publisher, subscription)
-    if (!policy) return
-    const last = `Last incompatible policy: ${policy}`
-    const found = `New subscription discovered on topic '${publisher.topic}', requesting incompatible QoS.`
-    this.#host.logLine("WARN", publisher.logger, `${found} No messages will be sent to it. ${last}`)
-    const other = `New publisher discovered on topic '${subscription.topic}', offering incompatible QoS.`
-    this.#host.logLine("WARN", subscription.logger, `${other} No messages will be received from it. ${last}`)
+  /** Tell two ends that they match, or by which policy they do not. */
+  #join(publisher, subscription) {
+    if (meet(publisher, subscription)) this.#tell(publisher, subscription, 1n)
+    else if (meet({ ...publisher, qos: subscription.qos }, subscription)) {
+      const policy = mismatch(publisher, subscription)
+      for (const end of [publisher, subscription]) this.#happen(end, "incompatible_qos", { total: 1n }, { last_policy_kind: policy })
+    }
+  }
+
+  #part(end) {
+    for (const each of end.isPublisher ? this.#subscriptions : this.#publishers) {
+      const pair = end.isPublisher ? [end, each] : [each, end]
+      if (meet(...pair)) this.#tell(...pair, -1n)
+    }
+    end.ended = true
+  }
+
+  #tell(publisher, subscription, change) {
+    const total = change > 0n ? change : 0n
+    for (const end of [publisher, subscription]) this.#happen(end, "matched", { total, current: change })
+    this.#happen(subscription, "liveliness", { alive: change, not_alive: 0n })
+  }
+
+  /** Tell an end's events of changes of its counts, if they are wanted. */
+  #happen({ events, counts, isPublisher, id }, name, changes, info = {}) {
+    if (!events.includes(name)) return
+    for (const [count, change] of Object.entries(changes)) {
+      const key = `${name} ${count}`
+      counts[key] = (counts[key] ?? 0n) + change
+      info = { ...info, [`${count}_count`]: counts[key], [`${count}_count_change`]: change }
+    }
+    this.#host.event("happened", [isPublisher, id, name, info])
   }
 
   #server(client) {
@@ -177,11 +205,14 @@ const meet = (publisher, subscription) =>
   !subscription.ended &&
   !mismatch(publisher, subscription)
 
-/** The policy by which a subscription asks for more than a publisher offers; "" if they match. */
+/** The kind of the policy by which a subscription asks for more than a publisher offers; 0n if they match. */
 function mismatch({ qos: offered }, { qos: requested }) {
-  if (requested.reliability === RELIABLE && offered.reliability === BEST_EFFORT) return "RELIABILITY"
-  return requested.durability === TRANSIENT_LOCAL && offered.durability === VOLATILE ? "DURABILITY" : ""
+  if (requested.reliability === RELIABLE && offered.reliability === BEST_EFFORT) return RELIABILITY
+  return requested.durability === TRANSIENT_LOCAL && offered.durability === VOLATILE ? DURABILITY : 0n
 }
+
+/** Whether a length of time (ns) is one: 0 and the longest are none. */
+const finite = (length) => length > 0n && length < (1n << 63n) - 1n
 
 function refused(answer) {
   try {

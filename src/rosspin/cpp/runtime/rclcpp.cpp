@@ -400,6 +400,18 @@ void received(const std::string& what, std::int64_t when, const rosspin::Value& 
       found->second->receive({values.items[1].string, MessageInfo(info), when});
     }
   }
+  else if (what == "happened")
+  {
+    auto tell = [&](auto& all)
+    {
+      if (auto found = all.find(values.items[1].whole); found != all.end())
+        found->second->events().happen(values.items[2].string, values.items[3], when);
+    };
+    if (values.items[0].flag)
+      tell(all<PublisherBase>());
+    else
+      tell(all<SubscriptionBase>());
+  }
   else if (what == "request")
   {
     if (auto found = find(all<ServiceBase>()); found != all<ServiceBase>().end())
@@ -731,6 +743,16 @@ rosspin::Value profile(const QoS& qos)
 
 bool operator==(const QoS& one, const QoS& other) { return profile(one) == profile(other); }
 
+std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t kind)
+{
+  static const std::map<rmw_qos_policy_kind_t, std::string> names = {{RMW_QOS_POLICY_DURABILITY, "DURABILITY"},
+      {RMW_QOS_POLICY_DEADLINE, "DEADLINE"}, {RMW_QOS_POLICY_LIVELINESS, "LIVELINESS"},
+      {RMW_QOS_POLICY_RELIABILITY, "RELIABILITY"}, {RMW_QOS_POLICY_HISTORY, "HISTORY"},
+      {RMW_QOS_POLICY_LIFESPAN, "LIFESPAN"}};
+  auto found = names.find(kind);
+  return (found == names.end() ? "INVALID" : found->second) + "_QOS_POLICY";
+}
+
 // --- timers (source: rcl/timer.c) ---
 
 TimerBase::TimerBase(Clock::SharedPtr clock, std::chrono::nanoseconds period, Context::SharedPtr context, bool autostart)
@@ -796,19 +818,103 @@ std::vector<std::pair<std::int64_t, std::int64_t>> TimerBase::coming() const
 
 // --- topics and services ---
 
-PublisherBase::PublisherBase(node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& topic,
-    const char* type, const QoS& qos, const PublisherOptionsBase& options)
-  : node_(std::move(node)), qos_(qos)
+namespace detail
 {
-  if (options.event_callbacks.any())
-    rosspin::not_simulated("rclcpp::PublisherOptions::event_callbacks");
-  node_->group_for(options.callback_group, "publisher");
-  rosspin::Value answer = node_->ask("publisher", {topic, type, profile(qos)}, "could not create publisher");
-  id_ = field(answer, "id").whole;
-  topic_ = field(answer, "name").string;
+void Event::call_back()
+{
+  if (when_ == rosspin::never)
+    return;
+  QOSEventInfo told = info_;
+  info_.total_count_change = info_.alive_count_change = info_.not_alive_count_change = info_.current_count_change = 0;
+  when_ = rosspin::never;
+  callback_(told);
 }
 
-PublisherBase::~PublisherBase() { rosspin::tell("end_publisher", {id_}); }
+void Event::happen(const rosspin::Value& info, std::int64_t when)
+{
+  auto take = [&](std::int32_t& count, std::int32_t& change, const std::string& name)
+  {
+    count = static_cast<std::int32_t>(field(info, (name + "_count").c_str()).whole);
+    change += static_cast<std::int32_t>(field(info, (name + "_count_change").c_str()).whole);
+  };
+  take(info_.total_count, info_.total_count_change, "total");
+  take(info_.current_count, info_.current_count_change, "current");
+  take(info_.alive_count, info_.alive_count_change, "alive");
+  take(info_.not_alive_count, info_.not_alive_count_change, "not_alive");
+  if (auto policy = field(info, "last_policy_kind"); policy.kind == rosspin::Value::integer)
+    info_.last_policy_kind = static_cast<rmw_qos_policy_kind_t>(policy.whole);
+  when_ = std::min(when_, when);
+}
+
+Events::Events(
+    const EventCallbacks& callbacks, const QOSEventCallback& otherwise, const CallbackGroup::SharedPtr& group)
+{
+  auto add = [&](const char* name, const QOSEventCallback& callback)
+  {
+    if (!callback)
+      return;
+    all_.emplace_back(name, std::make_shared<Event>(callback));
+    group->add(all_.back().second);
+  };
+  add("deadline", callbacks.deadline_callback);
+  add("liveliness", callbacks.liveliness_callback);
+  add("incompatible_qos", callbacks.incompatible_qos_callback ? callbacks.incompatible_qos_callback : otherwise);
+  add("matched", callbacks.matched_callback);
+}
+
+std::vector<rosspin::Value> Events::names() const
+{
+  std::vector<rosspin::Value> names;
+  for (const auto& [name, event] : all_)
+    names.push_back(name);
+  return names;
+}
+
+void Events::happen(const std::string& name, const rosspin::Value& info, std::int64_t when)
+{
+  for (const auto& [each, event] : all_)
+    if (each == name)
+      event->happen(info, when);
+}
+}  // namespace detail
+
+namespace
+{
+// What is said of what does not match, unless the node says that itself or wants nothing said.
+template<class End>
+QOSEventCallback logged(bool is_wanted, const End* end, const std::string& logger, const char* found, const char* then)
+{
+  if (!is_wanted)
+    return nullptr;
+  return [=](QOSEventInfo& info)
+  {
+    RCLCPP_WARN(get_logger(logger), "New %s incompatible QoS. No messages will be %s it. Last incompatible policy: %s",
+        rosspin::formatted(found, {end->get_topic_name()}).c_str(), then,
+        qos_policy_name_from_kind(info.last_policy_kind).c_str());
+  };
+}
+}  // namespace
+
+PublisherBase::PublisherBase(node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& topic,
+    const char* type, const QoS& qos, const PublisherOptionsBase& options)
+  : node_(std::move(node)), qos_(qos),
+    events_(options.event_callbacks,
+        logged(options.use_default_callbacks, this, node_->logger_name(),
+            "subscription discovered on topic '%s', requesting", "sent to"),
+        node_->group_for(options.callback_group, "publisher"))
+{
+  rosspin::Value answer =
+      node_->ask("publisher", {topic, type, profile(qos), events_.names()}, "could not create publisher");
+  id_ = field(answer, "id").whole;
+  topic_ = field(answer, "name").string;
+  all<PublisherBase>()[id_] = this;
+}
+
+PublisherBase::~PublisherBase()
+{
+  all<PublisherBase>().erase(id_);
+  rosspin::tell("end_publisher", {id_});
+}
 
 std::size_t PublisherBase::get_subscription_count() const
 {
@@ -830,13 +936,16 @@ void PublisherBase::send(const std::string& bytes)
 
 SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& topic,
     const char* type, const QoS& qos, const SubscriptionOptionsBase& options)
-  : Callable(subscription), node_(std::move(node)), qos_(qos)
+  : Callable(subscription), node_(std::move(node)), qos_(qos),
+    events_(options.event_callbacks,
+        logged(options.use_default_callbacks, this, node_->logger_name(),
+            "publisher discovered on topic '%s', offering", "received from"),
+        node_->group_for(options.callback_group, "subscription"))
 {
-  if (options.event_callbacks.any())
-    rosspin::not_simulated("rclcpp::SubscriptionOptions::event_callbacks");
   if (options.ignore_local_publications)
     rosspin::not_simulated("rclcpp::SubscriptionOptions::ignore_local_publications");
-  rosspin::Value answer = node_->ask("subscription", {topic, type, profile(qos)}, "could not create subscription");
+  rosspin::Value answer =
+      node_->ask("subscription", {topic, type, profile(qos), events_.names()}, "could not create subscription");
   id_ = field(answer, "id").whole;
   topic_ = field(answer, "name").string;
   all<SubscriptionBase>()[id_] = this;
@@ -1020,7 +1129,21 @@ std::vector<TopicEndpointInfo> infos(const rosspin::Value& answer)
 {
   std::vector<TopicEndpointInfo> found;
   for (const rosspin::Value& each : field(answer, "infos").items)
-    found.push_back({each.items[0].string, each.items[1].string, each.items[2].string});
+  {
+    const rosspin::Value& profile = each.items[4];
+    auto number = [&](const char* name) { return field(profile, name).whole; };
+    auto length = [&](const char* name) { return Duration::from_nanoseconds(number(name)); };
+    QoS qos(static_cast<std::size_t>(number("depth")));
+    qos.history(static_cast<HistoryPolicy>(number("history")))
+        .reliability(static_cast<ReliabilityPolicy>(number("reliability")))
+        .durability(static_cast<DurabilityPolicy>(number("durability")))
+        .liveliness(static_cast<LivelinessPolicy>(number("liveliness")))
+        .deadline(length("deadline"))
+        .lifespan(length("lifespan"))
+        .liveliness_lease_duration(length("liveliness_lease_duration"));
+    found.push_back({each.items[0].string, each.items[1].string, each.items[2].string,
+        static_cast<EndpointType>(each.items[3].whole), qos});
+  }
   return found;
 }
 }  // namespace
@@ -1779,9 +1902,10 @@ bool Executor::goes_on() const { return spinning_ && context_->is_valid(); }
 std::vector<std::shared_ptr<detail::Callable>> Executor::due() const
 {
   using detail::Callable;
-  static const Callable::Kind usual[] = {Callable::timer, Callable::subscription, Callable::service, Callable::client};
+  static const Callable::Kind usual[] = {
+      Callable::timer, Callable::subscription, Callable::service, Callable::client, Callable::event};
   static const Callable::Kind statically[] = {
-      Callable::subscription, Callable::timer, Callable::client, Callable::service};
+      Callable::subscription, Callable::timer, Callable::client, Callable::service, Callable::event};
   std::vector<std::shared_ptr<Callable>> found;
   for (const auto& each : known_)
     if (auto callable = each.lock(); callable && callable->is_free() && callable->is_due())

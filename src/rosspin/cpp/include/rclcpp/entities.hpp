@@ -31,7 +31,8 @@ public:
     timer,
     subscription,
     service,
-    client
+    client,
+    event
   };
   explicit Callable(Kind kind) : kind(kind) {}
   virtual ~Callable();
@@ -235,7 +236,7 @@ struct QOSEventInfo
 {
   std::int32_t total_count = 0, total_count_change = 0, alive_count = 0, not_alive_count = 0, alive_count_change = 0,
                not_alive_count_change = 0, current_count = 0, current_count_change = 0;
-  int last_policy_kind = 0;
+  rmw_qos_policy_kind_t last_policy_kind = RMW_QOS_POLICY_INVALID;
 };
 using QOSDeadlineOfferedInfo = QOSEventInfo;
 using QOSDeadlineRequestedInfo = QOSEventInfo;
@@ -248,16 +249,13 @@ using MatchedInfo = QOSEventInfo;
 using PublisherMatchedInfo = QOSEventInfo;
 using SubscriptionMatchedInfo = QOSEventInfo;
 
-// What publishers and subscriptions could call.
+using QOSEventCallback = std::function<void(QOSEventInfo&)>;
+
+// What publishers and subscriptions call, some of it never: nothing is lost, and Fast DDS does not tell of types.
 struct EventCallbacks
 {
-  std::function<void(QOSEventInfo&)> deadline_callback, liveliness_callback, incompatible_qos_callback,
-      incompatible_type_callback, message_lost_callback, matched_callback;
-  bool any() const
-  {
-    return deadline_callback || liveliness_callback || incompatible_qos_callback || incompatible_type_callback ||
-           message_lost_callback || matched_callback;
-  }
+  QOSEventCallback deadline_callback, liveliness_callback, incompatible_qos_callback, incompatible_type_callback,
+      message_lost_callback, matched_callback;
 };
 using PublisherEventCallbacks = EventCallbacks;
 using SubscriptionEventCallbacks = EventCallbacks;
@@ -302,6 +300,37 @@ struct SubscriptionOptionsWithAllocator : SubscriptionOptionsBase
 };
 using SubscriptionOptions = SubscriptionOptionsWithAllocator<std::allocator<void>>;
 
+namespace detail
+{
+// Tells a callback what has happened to an end of a topic, once for all since the last call.
+class Event : public Callable
+{
+public:
+  explicit Event(QOSEventCallback callback) : Callable(event), callback_(std::move(callback)) {}
+  bool is_due() const override { return when_ != rosspin::never; }
+  std::int64_t due() const override { return when_; }
+  void call_back() override;
+  void happen(const rosspin::Value& info, std::int64_t when);
+
+private:
+  QOSEventCallback callback_;
+  QOSEventInfo info_;
+  std::int64_t when_ = rosspin::never;
+};
+
+// The events of an end, by their names; `otherwise` is called for what does not match, if there is no callback.
+class Events
+{
+public:
+  Events(const EventCallbacks& callbacks, const QOSEventCallback& otherwise, const CallbackGroup::SharedPtr& group);
+  std::vector<rosspin::Value> names() const;
+  void happen(const std::string& name, const rosspin::Value& info, std::int64_t when);
+
+private:
+  std::vector<std::pair<std::string, std::shared_ptr<Event>>> all_;
+};
+}  // namespace detail
+
 class PublisherBase
 {
 public:
@@ -323,6 +352,9 @@ public:
     return true;
   }
 
+  // What follows is not rclcpp's.
+  detail::Events& events() { return events_; }
+
 protected:
   void send(const std::string& bytes);
   bool can_loan_ = false;
@@ -331,6 +363,7 @@ private:
   node_interfaces::NodeBaseInterface::SharedPtr node_;
   std::string topic_;
   QoS qos_;
+  detail::Events events_;
   std::int64_t id_;
 };
 
@@ -413,6 +446,7 @@ public:
   bool is_due() const override { return !received_.empty(); }
   std::int64_t due() const override { return received_.empty() ? rosspin::never : received_.front().when; }
   void receive(Received received);
+  detail::Events& events() { return events_; }
   // Call back when a message comes, whoever spins.
   void take_immediately() { at_once_ = true; }
 
@@ -423,6 +457,7 @@ private:
   node_interfaces::NodeBaseInterface::SharedPtr node_;
   std::string topic_;
   QoS qos_;
+  detail::Events events_;
   std::int64_t id_;
   bool at_once_ = false;
   std::deque<Received> received_;

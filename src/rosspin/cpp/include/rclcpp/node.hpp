@@ -223,10 +223,21 @@ std::chrono::nanoseconds period_of(std::chrono::duration<Rep, Period> period)
 std::string below(const std::string& name, const std::string& sub_namespace);
 }  // namespace detail
 
+enum class EndpointType
+{
+  Invalid,
+  Publisher,
+  Subscription
+};
+
 class TopicEndpointInfo
 {
 public:
   std::string node_name_, node_namespace_, topic_type_;
+  EndpointType endpoint_type_;
+  QoS qos_profile_;
+  EndpointType endpoint_type() const { return endpoint_type_; }
+  const QoS& qos_profile() const { return qos_profile_; }
   const std::string& node_name() const { return node_name_; }
   const std::string& node_namespace() const { return node_namespace_; }
   const std::string& topic_type() const { return topic_type_; }

@@ -128,6 +128,7 @@ private:
 };
 
 bool operator==(const QoS& one, const QoS& other);
+std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t kind);
 inline bool operator!=(const QoS& one, const QoS& other) { return !(one == other); }
 
 #define ROSSPIN_QOS(Name, profile, start)                                                                              \
