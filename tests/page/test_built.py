@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import gzip
 import hashlib
 import json
@@ -9,6 +10,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from zipfile import ZipFile
 
 import pytest
 import yaml
@@ -59,6 +61,26 @@ def test_half_a_snapshot_is_made_anew(site: Path, tmp_path: Path) -> None:
     made = (build(tmp_path) / "snapshot.gz").read_bytes()
     assert made == (tmp_path / snapshot().name).read_bytes()
     assert len(gzip.decompress(made)) == len(gzip.decompress(whole))
+
+
+def without_docstrings(text: str) -> tuple[str, list[tuple[str, int]]]:
+    """What a module does, and in which lines."""
+    tree = ast.parse(text)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+            if ast.get_docstring(node, clean=False) is not None:
+                del node.body[0]
+    return ast.dump(tree), [(type(node).__name__, node.lineno) for node in ast.walk(tree) if hasattr(node, "lineno")]
+
+
+def test_the_page_has_each_module_without_its_docstrings(site: Path) -> None:
+    with ZipFile(site / "_static/live/rosspin.zip") as archive:
+        texts = {name: archive.read(name).decode() for name in archive.namelist() if name.endswith(".py")}
+    texts = {name: text for name, text in texts.items() if re.match(r"rosspin/(?!exercises/own/)", name)}
+    sources = {name: (ROOT / "src" / name).read_text(encoding="utf-8") for name in texts}
+    for name, text in texts.items():
+        assert without_docstrings(text) == without_docstrings(sources[name]), name
+    assert sum(map(len, texts.values())) < 0.9 * sum(map(len, sources.values()))
 
 
 def test_plot_of_a_listing_that_says_for_how_long(watchful: None) -> None:
