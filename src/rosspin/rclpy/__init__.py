@@ -215,6 +215,7 @@ IN_PART = {
     "as with Fast DDS.",
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
     "TimerInfo": "It is there; on a real ROS 2 only from Kilted on.",
+    "get_available_rmw_implementations": "Only the default one is there; on a real ROS those that are installed.",
     "serialize_message": "Bytes that mean nothing are 0; on a real ROS they are what happened to be there.",
     "signals": "A handler that the node sets itself is called immediately, not when the executor wakes.",
     "wait_for_message": "It gets the message even if another thread spins the node; on a real ROS the two race.",

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
+
 from ..clocks.clock import NS
 from .arguments import Arguments
 from .context import Context, get_default_context, state
 
 __all__ = [
+    "get_available_rmw_implementations",
     "get_default_context",
     "get_rmw_implementation_identifier",
     "ok",
@@ -51,3 +54,21 @@ def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
 def get_rmw_implementation_identifier() -> str:
     """The middleware that Jazzy has by default."""
     return "rmw_fastrtps_cpp"
+
+
+def get_available_rmw_implementations() -> set[str]:
+    """Return the middlewares that are there, of those that the variable RMW_IMPLEMENTATIONS names if it names any.
+
+    Raises RuntimeError if it names one that is not there.
+    """
+    available = {get_rmw_implementation_identifier()}
+    names = os.environ.get("RMW_IMPLEMENTATIONS")
+    if not names:
+        return available
+    wanted = set(names.split(os.pathsep))
+    if missing := wanted - available:
+        raise RuntimeError(
+            f"The RMW implementations {missing} specified in 'RMW_IMPLEMENTATIONS' are not available "
+            f"({', '.join(sorted(available))})"
+        )
+    return available & wanted
