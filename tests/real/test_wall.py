@@ -295,6 +295,13 @@ def test_a_node_that_blocks_ctrl_c_is_told_so(impatient: None, write: Any) -> No
         assert said in measure(node, 0.5).console.splitlines()
 
 
+def test_a_node_that_ignores_ctrl_c_is_told_so(impatient: None, write: Any) -> None:
+    ignores = "import signal, time\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+    node = write(ignores + "while True:\n    time.sleep(0.01)\n")
+    with control(bears=0.1):
+        assert "The node ignores Ctrl-C: signal.signal(signal.SIGINT, signal.SIG_IGN)." in measure(node, 0.5).console
+
+
 def test_a_function_leaves_no_signal_blocked() -> None:
     assert measure(lambda: signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGTERM}), NEVER).status == 0
     assert signal.SIGTERM not in signal.pthread_sigmask(signal.SIG_BLOCK, ())

@@ -142,6 +142,19 @@ def test_a_node_deaf_to_ctrl_c_is_killed() -> None:
     assert re.fullmatch(r"rosspin: MainThread was at .*test_run\.py:\d+: rospy\.sleep\(1\)", second)
 
 
+def test_one_that_ignores_ctrl_c_is_told_so(write: Any) -> None:
+    spins = "import signal, rclpy\nrclpy.init()\n{}rclpy.spin(rclpy.create_node('node'))\n"
+    ignores = "signal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+    first, second = simulate(write(spins.format(ignores)), 2).console.splitlines()
+    assert first == (
+        "rosspin: Ctrl-C at 2 s did not end the node; it was killed 17 s later. "
+        "The node ignores Ctrl-C: signal.signal(signal.SIGINT, signal.SIG_IGN)."
+    )
+    assert "MainThread was at" in second
+    own = "signal.signal(signal.SIGINT, lambda *_: None)\n"
+    assert "Does its loop check rclpy.ok()?" in simulate(write(spins.format(own)), 2).console
+
+
 @pytest.mark.parametrize(
     ("code", "status", "console"),
     [

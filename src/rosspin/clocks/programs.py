@@ -33,6 +33,7 @@ __all__ = [
     "begin_beside",
     "end_program",
     "end_run",
+    "ignores_ctrl_c",
     "press_ctrl_c",
     "run_on_the_wall",
     "where_it_waits",
@@ -64,11 +65,15 @@ def end_run() -> None:
 
 
 class Killed(Exception):
-    """A program did not end at Ctrl-C. ``waited`` says where its threads were, ``blocks`` whether it blocks SIGINT."""
+    """A program did not end at Ctrl-C.
 
-    def __init__(self, waited: list[Whereabouts], blocks: bool = False) -> None:
+    ``waited`` says where its threads were, ``ignores`` whether it ignores SIGINT, and ``blocks`` whether it blocks it.
+    """
+
+    def __init__(self, waited: list[Whereabouts], ignores: bool, blocks: bool = False) -> None:
         super().__init__()
         self.waited = waited
+        self.ignores = ignores
         self.blocks = blocks
 
 
@@ -108,7 +113,7 @@ class SimulatedProgram:
             return
 
         def kill() -> None:
-            raise Killed(where_it_waits(self._program))
+            raise Killed(where_it_waits(self._program), ignores_ctrl_c(self._program))
 
         self.before_ctrl_c()
         press_ctrl_c(self._program)
@@ -140,6 +145,11 @@ def where_it_waits(program: Program) -> list[Whereabouts]:
     """Where the threads of a simulated program are."""
     stacks = program.main.clock.suspended()
     return [_whereabouts(stack.ident, stack.trail) for stack in stacks if stack.ident and stack.owner is program]
+
+
+def ignores_ctrl_c(program: Program) -> bool:
+    """Whether a simulated program has asked for SIGINT to be ignored."""
+    return program.handlers.get(signal.SIGINT) == signal.SIG_IGN
 
 
 def _main_ident() -> int:
@@ -187,7 +197,7 @@ def run_on_the_wall(
                 main()
         except Ended:
             if alarm.waited:
-                raise Killed(alarm.waited, alarm.blocks) from None
+                raise Killed(alarm.waited, alarm.ignores, alarm.blocks) from None
             raise
         finally:
             enter(before)
@@ -250,6 +260,7 @@ class _Alarm:
         give_up: Callable[[Killed], object] | None,
     ) -> None:
         self.waited: list[Whereabouts] = []
+        self.ignores = False
         self.blocks = False
         self._program = program
         self._until = until
@@ -287,11 +298,12 @@ class _Alarm:
         frames = sys._current_frames()
         idents = [self._ident, *self._program.idents]
         self.waited = [_whereabouts(ident, trail(frames.get(ident))) for ident in idents]
+        self.ignores = signal.getsignal(signal.SIGINT) == signal.SIG_IGN
         self.blocks = _blocks_sigint()
         deaf = time.monotonic() + _DEAF
         while self._wait(0.1, _ENDED) is None:
             if self._give_up and time.monotonic() > deaf:
-                self._give_up(Killed(self.waited, self.blocks))
+                self._give_up(Killed(self.waited, self.ignores, self.blocks))
                 os.kill(os.getpid(), signal.SIGKILL)
             signal.pthread_kill(self._ident, _END)
 

@@ -31,11 +31,23 @@ class TimeStandsStill(RuntimeError):
     """The node keeps simulated time from passing. The message says where and how."""
 
 
-def say_killed(node: Code, ros: int, seconds: float | None, waited: Sequence[Whereabouts], patience: float) -> str:
-    """Say why a node of a ROS was killed ``patience`` seconds after Ctrl-C, and where its threads were."""
+def say_killed(
+    node: Code,
+    ros: int,
+    seconds: float | None,
+    waited: Sequence[Whereabouts],
+    patience: float,
+    ignores: bool = False,
+) -> str:
+    """Say why a node of a ROS was killed ``patience`` seconds after Ctrl-C, and where its threads were.
+
+    ``ignores`` says whether the node has asked for Ctrl-C to be ignored.
+    """
     at = "" if seconds is None else f" at {seconds:.10g} s"
     why = f"Does its loop check {words_in(node.filename, ros).asks}?"
-    if waits_for_a_rate(node, ros, waited):
+    if ignores:
+        why = "The node ignores Ctrl-C: signal.signal(signal.SIGINT, signal.SIG_IGN)."
+    elif waits_for_a_rate(node, ros, waited):
         why = (
             "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep in it. "
             "Use a Rate only in a daemon thread."

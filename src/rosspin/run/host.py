@@ -430,7 +430,8 @@ class Host:
 
     def _killed(self, process: Process, seconds: float | None, killed: Killed) -> None:
         process.world.waited = killed.waited
-        sys.stderr.write(say_killed(process.node, self.ros, seconds, killed.waited, self.ending.patience))
+        patience = self.ending.patience
+        sys.stderr.write(say_killed(process.node, self.ros, seconds, killed.waited, patience, killed.ignores))
         if killed.blocks:
             sys.stderr.write(
                 "rosspin: the main thread blocks SIGINT (signal.pthread_sigmask): Ctrl-C does not reach it\n"
