@@ -113,6 +113,7 @@ HINTS = (
     "The timer that wakes this Rate was due",
     "A timer passes its callback no",
     "The period of a timer",
+    "A field of a message takes values",
     "A parameter keeps the type",
     "Declare a parameter",
     "Call rclpy.init()",

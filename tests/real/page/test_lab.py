@@ -132,8 +132,8 @@ def test_a_notebook_runs_and_shows_its_plots(lab: str, context: BrowserContext, 
     page.get_by_role("menuitem", name="Run", exact=True).click()
     page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
     plots = page.locator(".jp-OutputArea-output figure.rosspin-plot")
-    expect(plots).to_have_count(6)
-    for index in range(6):
+    expect(plots).to_have_count(5)
+    for index in range(5):
         picture = plots.nth(index).locator("svg[role=img]:visible")
         expect(picture).to_have_count(1)
         colour = picture.locator("text").first.evaluate("text => getComputedStyle(text).fill")

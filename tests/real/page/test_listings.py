@@ -91,6 +91,7 @@ def _is_plain(page: Page, line: str) -> None:
 def test_opened_as_a_file(context: BrowserContext, site: Path) -> None:
     page = context.new_page()
     page.goto((site / TUTORIAL).as_uri())
+    unfold(page)
     _is_plain(page, "see START-HERE.html, or make serve")
 
 
@@ -106,6 +107,7 @@ def test_without_javascript(browser: Browser, address: str) -> None:
     with reader(browser, java_script_enabled=False) as context:
         page = context.new_page()
         page.goto(address + TUTORIAL)
+        unfold(page)
         _is_plain(page, "To run this listing here, the page needs JavaScript.")
 
 
