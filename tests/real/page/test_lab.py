@@ -96,7 +96,7 @@ def test_a_link_opens_the_next_notebook(lab: str, context: BrowserContext) -> No
     """A plain Markdown link works in JupyterLab, too: there it opens the file, as a notebook."""
     page = context.new_page()
     page.goto(f"{lab}/lab/tree/notebooks/timer.md?token={TOKEN}")
-    page.locator(".jp-MarkdownOutput").get_by_role("link", name="the rate notebook").click()
+    page.locator(".jp-MarkdownOutput").get_by_role("link", name="Spin in a loop with a rate").click()
     title = page.locator(".jp-Notebook:visible h1")
     expect(title).to_contain_text("Spin in a loop with a rate")
 

@@ -90,7 +90,7 @@ def test_slides_and_notes(stick: Page, folder: Path) -> None:
 
 
 def test_a_listing_and_an_exercise_say_that_they_need_a_server(stick: Page, folder: Path) -> None:
-    for name in ("docs/ros2/tutorial", "notebooks/ros2-exercises"):
+    for name in ("docs/ros2/tutorial", "exercises/make-it-10-hz"):
         stick.goto((folder / f"site/{name}.html").as_uri())
         expect(stick.locator(".live-missing:visible").first).to_contain_text("Opened as a file")
         expect(stick.get_by_role("button", name="Run")).to_have_count(0)
