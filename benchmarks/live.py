@@ -181,7 +181,8 @@ def _click(page: Page, button: str, text: str) -> float:
 
 def _choose(page: Page, speed: str) -> None:
     """The speed of that listing's next run."""
-    page.get_by_label("Speed").first.select_option(speed)
+    cell = page.locator("div.live:not(.highlight-cpp, .highlight-xml)").first
+    cell.get_by_label("Speed").select_option(speed, force=True)  # its tab, or what is folded, may be closed
 
 
 def _judge(browser: Browser, address: str, number: int = 24) -> float:
