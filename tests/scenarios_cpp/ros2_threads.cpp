@@ -1,41 +1,19 @@
 // Scenarios for rclcpp with threads, one for each run, as in ros2.cpp.
 
-#include <chrono>
 #include <condition_variable>
-#include <cstdio>
-#include <functional>
 #include <future>
-#include <map>
-#include <memory>
 #include <mutex>
-#include <string>
-#include <thread>
 #include <vector>
 
 #include "example_interfaces/srv/add_two_ints.hpp"
-#include "rclcpp/rclcpp.hpp"
-#include "std_msgs/msg/u_int32.hpp"
+#include "ros2.hpp"
 
-using namespace std::chrono_literals;
 using example_interfaces::srv::AddTwoInts;
 using rclcpp::CallbackGroupType;
-using rclcpp::Node;
 using rclcpp::executors::MultiThreadedExecutor;
-using std_msgs::msg::UInt32;
 
 namespace
 {
-std::chrono::steady_clock::time_point begun;
-
-void say(const std::string& what)
-{
-  double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  std::printf("%.1f %s\n", now + 1e-9, what.c_str());
-  std::fflush(stdout);
-}
-
-void work(std::chrono::milliseconds time) { std::this_thread::sleep_for(time); }
-
 std::function<void()> slow(const std::string& name, std::chrono::milliseconds takes)
 {
   return [=]
@@ -44,13 +22,6 @@ std::function<void()> slow(const std::string& name, std::chrono::milliseconds ta
     work(takes);
     say(name + " ends");
   };
-}
-
-UInt32 number(unsigned value)
-{
-  UInt32 message;
-  message.data = value;
-  return message;
 }
 
 void hear_slowly(const UInt32& message) { slow(std::to_string(message.data), 400ms)(); }
@@ -69,9 +40,6 @@ std::shared_ptr<AddTwoInts::Request> request(int a)
   made->b = 1;
   return made;
 }
-
-typedef std::shared_ptr<Node> Shared;
-typedef std::function<void(const Shared&)> Scenario;
 
 void spin_in_threads(const Shared& node, std::size_t threads)
 {
@@ -309,19 +277,3 @@ std::map<std::string, Scenario> scenarios()
   return all;
 }
 }  // namespace
-
-int main(int argc, char* argv[])
-{
-  auto words = rclcpp::init_and_remove_ros_arguments(argc, argv);
-  begun = std::chrono::steady_clock::now();
-  auto node = std::make_shared<Node>("s");
-  auto all = scenarios();
-  if (words.size() < 2)
-  {
-    for (const auto& each : all)
-      std::printf("%s\n", each.first.c_str());
-    return 0;
-  }
-  all.at(words[1])(node);
-  return 0;
-}
