@@ -133,6 +133,27 @@ def test_python_hears_cpp_and_cpp_hears_python() -> None:
     assert "[SUBSCRIBER CPP NODE] counter = 3" in run.console
 
 
+TELLS_THE_TIME = """\
+import rospy
+from rosgraph_msgs.msg import Clock
+rospy.set_param("/use_sim_time", True)
+rospy.init_node("tells", disable_rostime=True)
+publisher = rospy.Publisher("/clock", Clock, queue_size=10)
+for second in range(100, 104):
+    rospy.sleep(0.25)
+    publisher.publish(rospy.Time(second))
+rospy.spin()
+"""
+
+
+def test_clock_of_a_node_in_python(write: Write) -> None:
+    """A second of it takes 0.25 s, which the ticks are told in."""
+    run = simulate([str(write(TELLS_THE_TIME, "tells.py")), str(PACKAGE / "spinner_cpp_node.cpp")], 2.0)
+    told = re.findall(r", (\d+)\..*counter = (\d)", run.console)
+    assert told == [(str(100 + each // 2), str(each + 1)) for each in range(8)]
+    assert [tick.real for tick in run.ticks] == [0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0]
+
+
 TELLS = """\
 #include "ros/ros.h"
 #include "std_msgs/UInt32.h"

@@ -26,7 +26,7 @@ def words(name: str) -> list[str]:
 
 def compared(console: str, status: int) -> str:
     """What a run printed before its end, without stamps, and its status as a shell tells it."""
-    lines = re.sub(r"\[\d+\.\d{9}\]", "[STAMP]", console).splitlines()
+    lines = re.sub(r"\[\d+\.\d{9}(?=[],])", "[STAMP", console).splitlines()
     kept = [line for line in lines if not ((time := re.match(r"(\d+\.\d) ", line)) and float(time[1]) >= _END)]
     return "\n".join([*filter(None, kept), f"status {status if status >= 0 else 128 - status}"]) + "\n"
 

@@ -3,6 +3,7 @@
 #include <boost/thread.hpp>
 #include <condition_variable>
 #include <cstdio>
+#include <cstring>
 #include <functional>
 #include <future>
 #include <map>
@@ -10,6 +11,7 @@
 #include <pthread.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
 #include <shared_mutex>
 #include <std_msgs/UInt32.h>
 #include <std_srvs/SetBool.h>
@@ -89,6 +91,29 @@ struct Slow
     };
     one = nh.createTimer(ros::Duration(first), callback("one"));
     two = nh.createTimer(ros::Duration(second), callback("two"));
+  }
+};
+
+// Tells a time on /clock, each 0.1 s: what `time` gives for the number of the message.
+struct Teller
+{
+  ros::CallbackQueue queue;
+  ros::AsyncSpinner spinner{1, &queue};
+  ros::Publisher publisher;
+  ros::WallTimer timer;
+  int count = 0;
+  Teller(ros::NodeHandle nh, double (*time)(int))
+  {
+    nh.setCallbackQueue(&queue);
+    publisher = nh.advertise<rosgraph_msgs::Clock>("/clock", 10);
+    auto tell = [=](const ros::WallTimerEvent&)
+    {
+      rosgraph_msgs::Clock message;
+      message.clock = ros::Time(time(++count));
+      publisher.publish(message);
+    };
+    timer = nh.createWallTimer(ros::WallDuration(0.1), tell);
+    spinner.start();
   }
 };
 
@@ -762,6 +787,68 @@ std::map<std::string, Scenario> scenarios()
     two.join();
   };
 
+  // --- /clock: the time of these, ~use_sim_time, is what it tells ---
+
+  all["sim_time"] = [](NodeHandle& nh)
+  {
+    say(shown(ros::Time::isSimTime()) + shown(ros::Time::useSystemTime()) + shown(ros::Time::isValid()));
+    say(shown(ros::Time::waitForValid(ros::WallDuration(0.05))) + shown(ros::Time::now()));
+    // It stands still from the 9th message to the 12th, goes back at the 14th, and jumps at the 20th.
+    auto time = [](int each)
+    {
+      int fifths = each > 19 ? 90 : each > 13 ? 36 + each : each > 11 ? 47 + each : 50 + std::min(each, 9);
+      return 0.2 * fifths;
+    };
+    Teller teller(nh, time);
+    auto tick = [](const char* name)
+    {
+      return [=](const ros::TimerEvent& event)
+      {
+        say(name + shown(event.current_expected) + " " + shown(event.current_real) + " " + shown(event.last_expected));
+      };
+    };
+    ros::Timer timer = nh.createTimer(Duration(0.5), tick("timer "));
+    ros::Timer once = nh.createTimer(Duration(11.3), tick("once "), true);
+    ros::Publisher publisher = nh.advertise<std_msgs::UInt32>("number", 10);
+    boost::function<void(const ros::MessageEvent<std_msgs::UInt32 const>&)> receive =
+        [](const ros::MessageEvent<std_msgs::UInt32 const>& event) { say("received " + shown(event.getReceiptTime())); };
+    ros::Subscriber subscriber = nh.subscribe<std_msgs::UInt32>("number", 10, receive);
+    ros::WallTimer wall = nh.createWallTimer(ros::WallDuration(0.77), [&](const ros::WallTimerEvent&)
+        {
+          publisher.publish(number(1));
+          ROS_INFO("log");
+          ROS_INFO_THROTTLE(10, "log sometimes");
+        });
+    ros::spin();
+  };
+  all["sim_time_sleeps"] = [](NodeHandle& nh)
+  {
+    Teller teller(nh, [](int each) { return each < 5 ? 0.0 : 0.2 * (each > 15 ? 35 + each : 50 + each); });
+    bool slept = Duration(0.5).sleep();
+    say("slept " + shown(slept) + " " + shown(ros::Time::now()));
+    slept = Duration(-1.0).sleep();
+    say("slept " + shown(slept));
+    bool reached = ros::Time::sleepUntil(ros::Time(12.1));
+    say("reached " + shown(reached) + " " + shown(ros::Time::now()));
+    reached = ros::Time::sleepUntil(ros::Time(12.0));
+    say("reached " + shown(reached));
+    ros::Rate rate(2);
+    for (int pass = 0; pass < 5; pass++)
+    {
+      slept = rate.sleep();
+      say("pass " + shown(slept) + " " + shown(ros::Time::now()) + " " + shown(rate.cycleTime()));
+    }
+    std::thread other([]
+        {
+          work(0.3);
+          ros::shutdown();
+        });
+    slept = Duration(100).sleep();
+    other.join();
+    bool still = Duration(0.01).sleep(), wall = ros::WallDuration(0.01).sleep(), loop = rate.sleep();
+    std::printf("slept %d %d %d %d\n", slept, still, wall, loop);  // the real one takes 0.3 s for its end
+  };
+
   // --- services ---
 
   all["services"] = [](NodeHandle& nh)
@@ -815,6 +902,7 @@ std::map<std::string, Scenario> scenarios()
 int main(int argc, char** argv)
 {
   ros::init(argc, argv, "scenario");
+  ros::param::set("/use_sim_time", std::strncmp(ros::this_node::getName().c_str(), "/s_sim", 6) == 0);
   ros::NodeHandle nh("~");
   begun = ros::WallTime::now();
   std::string name = nh.param<std::string>("scenario", "");

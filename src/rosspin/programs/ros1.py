@@ -22,7 +22,7 @@ from ..rospy.service import Connection as Calls
 from ..rospy.service import Service, ServiceException, ServiceProxy, Services
 from ..rospy.state import State
 from ..rospy.topics import Connection, Publication, Publisher, Subscriber, Subscription
-from ..world.world import NotSimulated, World
+from ..world.world import World
 
 __all__ = ["Ros1"]
 
@@ -91,8 +91,6 @@ class Ros1:
         for parameter, text in parameters.items():
             client.set_param(parameter, _from_command_line(text))
         client.begin_node(name, {}, follows_clock=False)
-        if client.get_param("/use_sim_time", False):
-            raise NotSimulated("/use_sim_time in C++")
         self._node.rosout = has_rosout
         self._node.at_shutdown.append(lambda: self._event("shutdown", []))
 

@@ -23,6 +23,7 @@ struct Node
   std::int64_t calls = 0;
   std::map<std::int64_t, rosspin::Value> responses;  // to calls that wait
   bool time = false;
+  std::optional<std::int64_t> told;  // ROS time as set by /clock, if the node follows it
   // The queues that are spun: by how many spinners, and in which thread, if that is the only one.
   std::map<CallbackQueue*, std::pair<int, std::thread::id>> spun;
 };
@@ -91,24 +92,53 @@ std::int64_t now(Time*)
 {
   if (!node().time)
     throw TimeNotInitializedException();
-  return rosspin::system_now();
+  rosspin::look();
+  return node().told ? *node().told : rosspin::system_now();
 }
 std::int64_t now(WallTime*) { return rosspin::system_now(); }
 std::int64_t now(SteadyTime*) { return rosspin::now(); }
 
-void sleep_for(std::int64_t ns)
+namespace
+{
+// Sleep on the time that /clock tells: not at all if it goes back.
+bool sleep_as_told(std::int64_t end)
+{
+  for (std::int64_t start = *node().told; !node().shutting_down && *node().told < end;)
+  {
+    rosspin::wait(rosspin::never);
+    if (*node().told < start)
+      return false;
+  }
+  return true;
+}
+}  // namespace
+
+bool sleep_for(const Duration*, std::int64_t ns)
+{
+  Node& self = node();
+  if (!self.told)
+    return sleep_for(static_cast<const WallDuration*>(nullptr), ns);
+  sleep_as_told(1);  // no time has been told yet
+  std::int64_t end = checked_time(*self.told + ns);
+  return *self.told < end && sleep_as_told(end) && !self.shutting_down;
+}
+
+bool sleep_for(const WallDuration*, std::int64_t ns)
 {
   // Of a length below 0 the real one asks the system again and again, which refuses.
   rosspin::sleep_until(ns < 0 ? rosspin::never : later(rosspin::now(), ns));
+  return !node().shutting_down;
 }
 
 bool sleep_until(Time*, std::int64_t ns)
 {
-  if (std::int64_t left = ns - rosspin::system_now(); left > 0)
-    sleep_for(left);
-  return true;
+  return node().told ? sleep_as_told(ns) : sleep_until(static_cast<WallTime*>(nullptr), ns);
 }
-bool sleep_until(WallTime*, std::int64_t ns) { return sleep_until(static_cast<Time*>(nullptr), ns); }
+bool sleep_until(WallTime*, std::int64_t ns)
+{
+  std::int64_t left = ns - rosspin::system_now();
+  return left <= 0 || sleep_for(static_cast<const WallDuration*>(nullptr), left);
+}
 bool sleep_until(SteadyTime*, std::int64_t ns)
 {
   if (ns > rosspin::now())
@@ -129,12 +159,15 @@ bool Passes::sleep()
   std::int64_t ends = time();
   cycle = ends - mark_;
   std::int64_t length = end_pass(wall_ ? "WallRate" : "Rate", ends) - ends;
-  if (length > 0)
-    sleep_for(length);
-  else
+  bool slept = false;
+  if (length <= 0)
     rosspin::look();
+  else if (wall_)
+    slept = sleep_for(static_cast<const WallDuration*>(nullptr), length);
+  else
+    slept = sleep_for(static_cast<const Duration*>(nullptr), length);
   begin_pass();
-  return length > 0;
+  return slept;
 }
 
 // A pass that ends later than it should lets the next one begin at once. Two periods late or more, the grid is given up
@@ -149,7 +182,16 @@ std::int64_t Passes::wake(std::int64_t& mark, std::int64_t now) const
 
 void Time::init() { node().time = true; }
 void Time::shutdown() {}
-bool Time::isValid() { return node().time; }
+bool Time::isSimTime() { return node().told.has_value(); }
+bool Time::isValid() { return node().time && node().told != 0; }
+
+bool Time::waitForValid(const WallDuration& timeout)
+{
+  std::int64_t most = timeout.isZero() ? rosspin::never : later(rosspin::now(), timeout.toNSec());
+  while (!isValid() && !node().shutting_down && rosspin::now() < most)
+    rosspin::wait(most);
+  return isValid() && !node().shutting_down;
+}
 
 #define ROSSPIN_DURATIONS(D)                                                                                           \
   const D D::MAX(INT32_MAX, 999999999), D::MIN(INT32_MIN, 0), D::ZERO, D::DAY(86400, 0), D::HOUR(3600, 0),             \
@@ -180,12 +222,12 @@ void print(Level level, const std::string& text)
     return;
   static const char* const names[] = {"DEBUG", " INFO", " WARN", "ERROR", "FATAL"};
   static const char* const colours[] = {"\033[32m", "\033[0m", "\033[33m", "\033[31m", "\033[31m"};
-  std::int64_t now = rosspin::system_now();
-  char stamp[40];
-  std::snprintf(stamp, sizeof stamp, "%lld.%09lld", static_cast<long long>(now / second),
-      static_cast<long long>(now % second));
+  std::stringstream stamp;
+  stamp << WallTime::now();
+  if (Time::isSimTime() && Time::isValid())
+    stamp << ", " << Time::now();
   rosspin::write(level < levels::Warn ? 1 : 2,
-      std::string(colours[level]) + "[" + names[level] + "] [" + stamp + "]: " + text + "\033[0m\n");
+      std::string(colours[level]) + "[" + names[level] + "] [" + stamp.str() + "]: " + text + "\033[0m\n");
 }
 
 bool throttled(double period, double& last, bool delayed)
@@ -325,7 +367,7 @@ void received(const std::string& what, std::int64_t when, const rosspin::Value& 
   auto message = boost::make_shared<detail::Received>();
   message->bytes = values.items[1].string;
   message->publisher = values.items[2].string;
-  message->when = when;
+  message->when = node().told.value_or(when);
   for (auto each : std::vector<detail::SubscriptionImpl*>(node().subscriptions))
     if (each->id() == values.items[0].whole)
       each->receive(message);
@@ -411,6 +453,32 @@ void removeROSArgs(int argc, const char* const* argv, V_string& out)
       out.push_back(argv[each]);
 }
 
+namespace
+{
+// Each message on /clock is taken as soon as it comes, not by whoever spins (source: init.cpp, start).
+struct AtOnce : CallbackQueueInterface
+{
+  void addCallback(const CallbackInterfacePtr& callback, std::uint64_t) override { callback->call(); }
+  void removeByID(std::uint64_t) override {}
+};
+
+void follow_clock()
+{
+  rosspin::Value asked;
+  if (!param::get("/use_sim_time", asked) || !asked.flag)
+    return;
+  Time::setNow(Time());
+  static AtOnce at_once;
+  auto take = [](detail::Received& received)
+  {
+    std::uint32_t stamp[2];  // what a rosgraph_msgs/Clock is, as bytes
+    std::memcpy(stamp, received.bytes.data(), sizeof stamp);
+    Time::setNow(Time(stamp[0], stamp[1]));
+  };
+  new detail::SubscriptionImpl(names::resolve("/clock"), "rosgraph_msgs/Clock", 1, take, {}, &at_once, true);
+}
+}  // namespace
+
 void start()
 {
   Node& self = node();
@@ -418,6 +486,7 @@ void start()
     return;
   self.started = self.ok = self.time = true;
   self.shutting_down = false;
+  follow_clock();
 }
 
 bool isStarted() { return node().started; }
@@ -669,7 +738,29 @@ struct TimerImpl::Run : CallbackInterface
   bool is_called = false;
   std::uint64_t order;
   CallResult call() override;
-  std::int64_t time() const { return timer->system_ ? rosspin::system_now() : rosspin::now(); }
+  std::int64_t time() const { return timer->clock_(); }
+  // Whether its time is what /clock tells, so that nobody knows how it goes on.
+  bool is_told() const { return timer->clock_ == time_of<Time> && Time::isSimTime(); }
+  // When it is due, in the run's time; never while it does not wait.
+  std::int64_t due() const
+  {
+    std::int64_t now = rosspin::now(), due = next - time() + now;
+    return waits && (due <= now || !is_told()) ? due : rosspin::never;
+  }
+  void fire(const CallbackInterfacePtr& self)
+  {
+    waits = false;
+    expired = time();
+    timer->queue_->addCallback(self, order);
+  }
+  void go_back()
+  {
+    if (std::int64_t now = time(); now < last_expected)
+    {
+      last_expected = now;
+      next = now + timer->period;
+    }
+  }
   // When the call is due after one that was due at `due` and has returned now.
   std::int64_t after(std::int64_t due, std::int64_t now) const
   {
@@ -683,13 +774,7 @@ namespace
 {
 struct Timers
 {
-  struct Entry
-  {
-    std::function<std::int64_t()> due;  // in the run's time; never while it does not wait
-    std::function<void()> fire;
-    std::uint64_t id;
-  };
-  std::vector<Entry> entries;
+  std::vector<boost::shared_ptr<detail::TimerImpl::Run>> runs;
   std::uint64_t count = 0;
   bool gone = false;
 };
@@ -709,8 +794,8 @@ struct Manager
 std::int64_t next_timer()
 {
   std::int64_t next = rosspin::never;
-  for (const auto& entry : timers().entries)
-    next = std::min(next, entry.due());
+  for (const auto& run : timers().runs)
+    next = std::min(next, run->due());
   return next;
 }
 
@@ -719,27 +804,37 @@ void call_due_timers()
   std::int64_t now = rosspin::now();
   for (;;)
   {
-    Timers::Entry* first = nullptr;
+    boost::shared_ptr<detail::TimerImpl::Run> first;
     std::int64_t when = rosspin::never;
-    for (auto& entry : timers().entries)
-      if (std::int64_t due = entry.due(); due < when)
+    for (const auto& run : timers().runs)
+      if (std::int64_t due = run->due(); due < when)
       {
         when = due;
-        first = &entry;
+        first = run;
       }
     if (!first || when > now)
       return;
-    first->fire();
+    first->fire(first);
   }
 }
 }  // namespace
 
+void Time::setNow(const Time& now)
+{
+  auto& told = node().told;
+  auto before = std::exchange(told, now.toNSec());
+  if (before > told)
+    for (const auto& run : timers().runs)
+      run->go_back();
+  rosspin::stir();
+}
+
 namespace detail
 {
 TimerImpl::TimerImpl(std::int64_t period, std::function<void(const Called&)> callback, const std::string& name,
-    Tracked tracked, CallbackQueueInterface* queue, bool oneshot, bool system)
+    Tracked tracked, CallbackQueueInterface* queue, bool oneshot, std::int64_t (*clock)())
   : period(period), callback_(std::move(callback)), name_(name), tracked_(std::move(tracked)), queue_(queue),
-    oneshot_(oneshot), system_(system)
+    oneshot_(oneshot), clock_(clock)
 {
 }
 
@@ -752,23 +847,10 @@ void TimerImpl::start()
   tick_as(name_, period);
   run_ = boost::make_shared<Run>();
   run_->timer = this;
-  std::uint64_t id = run_->order = ++timers().count;
+  run_->order = ++timers().count;
   run_->last_expected = run_->time();
   run_->next = run_->last_expected + period;
-  auto run = run_;
-  timers().entries.push_back({[run]() -> std::int64_t
-      {
-        if (!run->timer || !run->waits)
-          return rosspin::never;
-        return run->next - (run->timer->system_ ? rosspin::system_now() - rosspin::now() : 0);
-      },
-      [run]
-      {
-        run->waits = false;
-        run->expired = run->time();
-        run->timer->queue_->addCallback(run, run->order);
-      },
-      id});
+  timers().runs.push_back(run_);
   rosspin::stir();
 }
 
@@ -783,12 +865,10 @@ void TimerImpl::stop()
     std::abort();
   }
   started = false;
-  std::uint64_t id = run_->order;
   run_->timer = nullptr;
-  queue_->removeByID(id);
-  auto& entries = timers().entries;
-  entries.erase(std::remove_if(entries.begin(), entries.end(), [=](const auto& entry) { return entry.id == id; }),
-      entries.end());
+  queue_->removeByID(run_->order);
+  auto& runs = timers().runs;
+  runs.erase(std::find(runs.begin(), runs.end(), run_));
   run_.reset();
 }
 
@@ -815,7 +895,7 @@ void TimerImpl::set_period(std::int64_t new_period, bool reset)
 std::vector<std::pair<std::int64_t, std::int64_t>> TimerImpl::coming() const
 {
   std::vector<std::pair<std::int64_t, std::int64_t>> found;
-  if (!started || !pending() || period <= 0 || (oneshot_ && run_->is_called))
+  if (!started || !pending() || period <= 0 || (oneshot_ && run_->is_called) || run_->is_told())
     return found;
   std::int64_t now = run_->time(), ahead = now - rosspin::now(), next = run_->next;
   if (run_->is_called)

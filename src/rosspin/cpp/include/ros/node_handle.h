@@ -131,20 +131,20 @@ public:
 
   // --- timers ---
 
-#define ROSSPIN_TIMERS(Kind, D, system)                                                                                \
+#define ROSSPIN_TIMERS(Kind, D, clock)                                                                                 \
   template<class T>                                                                                                    \
   Kind create##Kind(D period, void (T::*callback)(const Kind##Event&), T* object, bool oneshot = false,                \
       bool autostart = true) const                                                                                     \
   {                                                                                                                    \
     return make<Kind>(period, [=](const Kind##Event& event) { (object->*callback)(event); },                           \
-        rosspin::name_of(callback), VoidConstPtr(), nullptr, oneshot, autostart, system);                              \
+        rosspin::name_of(callback), VoidConstPtr(), nullptr, oneshot, autostart, clock);                               \
   }                                                                                                                    \
   template<class T>                                                                                                    \
   Kind create##Kind(D period, void (T::*callback)(const Kind##Event&) const, T* object, bool oneshot = false,          \
       bool autostart = true) const                                                                                     \
   {                                                                                                                    \
     return make<Kind>(period, [=](const Kind##Event& event) { (object->*callback)(event); },                           \
-        rosspin::name_of(callback), VoidConstPtr(), nullptr, oneshot, autostart, system);                              \
+        rosspin::name_of(callback), VoidConstPtr(), nullptr, oneshot, autostart, clock);                               \
   }                                                                                                                    \
   template<class T>                                                                                                    \
   Kind create##Kind(D period, void (T::*callback)(const Kind##Event&), const boost::shared_ptr<T>& object,             \
@@ -152,23 +152,23 @@ public:
   {                                                                                                                    \
     T* raw = object.get();                                                                                             \
     return make<Kind>(period, [=](const Kind##Event& event) { (raw->*callback)(event); },                              \
-        rosspin::name_of(callback), object, nullptr, oneshot, autostart, system);                                      \
+        rosspin::name_of(callback), object, nullptr, oneshot, autostart, clock);                                       \
   }                                                                                                                    \
   template<class Callback>                                                                                             \
   std::enable_if_t<std::is_convertible_v<Callback, Kind##Callback>, Kind> create##Kind(                                \
       D period, const Callback& callback, bool oneshot = false, bool autostart = true) const                           \
   {                                                                                                                    \
     return make<Kind>(period, Kind##Callback(callback), rosspin::name_of(callback), VoidConstPtr(), nullptr, oneshot,  \
-        autostart, system);                                                                                            \
+        autostart, clock);                                                                                             \
   }                                                                                                                    \
   Kind create##Kind(Kind##Options& options) const                                                                      \
   {                                                                                                                    \
     return make<Kind>(options.period, options.callback, rosspin::name_of(options.callback), options.tracked_object,    \
-        options.callback_queue, options.oneshot, options.autostart, system);                                           \
+        options.callback_queue, options.oneshot, options.autostart, clock);                                            \
   }
-  ROSSPIN_TIMERS(Timer, Duration, true)
-  ROSSPIN_TIMERS(WallTimer, WallDuration, true)
-  ROSSPIN_TIMERS(SteadyTimer, WallDuration, false)
+  ROSSPIN_TIMERS(Timer, Duration, &detail::time_of<Time>)
+  ROSSPIN_TIMERS(WallTimer, WallDuration, &detail::time_of<WallTime>)
+  ROSSPIN_TIMERS(SteadyTimer, WallDuration, &detail::time_of<SteadyTime>)
 #undef ROSSPIN_TIMERS
 
   // --- topics ---
@@ -373,14 +373,14 @@ private:
   void construct(const std::string& ns);
   template<class Kind, class D, class Callback>
   Kind make(D period, Callback callback, const std::string& name, const VoidConstPtr& tracked,
-      CallbackQueueInterface* queue, bool oneshot, bool autostart, bool system) const
+      CallbackQueueInterface* queue, bool oneshot, bool autostart, std::int64_t (*clock)()) const
   {
     typedef std::conditional_t<std::is_same_v<Kind, Timer>, TimerEvent,
         std::conditional_t<std::is_same_v<Kind, WallTimer>, WallTimerEvent, SteadyTimerEvent>>
         Event;
     auto impl = boost::make_shared<detail::TimerImpl>(period.toNSec(),
         [callback](const detail::Called& called) { callback(Event(called)); }, name, detail::Tracked(tracked),
-        queue ? queue : getCallbackQueue(), oneshot, system);
+        queue ? queue : getCallbackQueue(), oneshot, clock);
     if (autostart)
       impl->start();
     return Kind(impl);

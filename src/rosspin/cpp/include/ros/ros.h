@@ -226,7 +226,7 @@ class TimerImpl : public rosspin::Ticking
 {
 public:
   TimerImpl(std::int64_t period, std::function<void(const Called&)> callback, const std::string& name, Tracked tracked,
-      CallbackQueueInterface* queue, bool oneshot, bool system);
+      CallbackQueueInterface* queue, bool oneshot, std::int64_t (*clock)());
   ~TimerImpl() override { stop(); }
   void start();
   void stop();
@@ -235,14 +235,15 @@ public:
   void set_period(std::int64_t period, bool reset);
   bool started = false;
   std::int64_t period;
+  struct Run;
 
 private:
   std::function<void(const Called&)> callback_;
   std::string name_;
   Tracked tracked_;
   CallbackQueueInterface* queue_;
-  bool oneshot_, system_;
-  struct Run;
+  bool oneshot_;
+  std::int64_t (*clock_)();
   boost::shared_ptr<Run> run_;
 };
 

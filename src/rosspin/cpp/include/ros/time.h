@@ -29,13 +29,14 @@ public:
   }
 };
 
+class Duration;
+class WallDuration;
 class Time;
 class WallTime;
 class SteadyTime;
 
 namespace detail
 {
-void sleep_for(std::int64_t ns);
 std::int64_t checked_duration(std::int64_t ns);
 std::int64_t checked_time(std::int64_t ns);
 std::int64_t from_seconds(double seconds, const char* what, std::int64_t least, std::int64_t most);
@@ -43,6 +44,13 @@ std::ostream& print(std::ostream& stream, std::int64_t ns);
 std::int64_t now(Time*);
 std::int64_t now(WallTime*);
 std::int64_t now(SteadyTime*);
+template<class T>
+std::int64_t time_of()
+{
+  return now(static_cast<T*>(nullptr));
+}
+bool sleep_for(const Duration*, std::int64_t ns);
+bool sleep_for(const WallDuration*, std::int64_t ns);
 bool sleep_until(Time*, std::int64_t ns);
 bool sleep_until(WallTime*, std::int64_t ns);
 bool sleep_until(SteadyTime*, std::int64_t ns);
@@ -84,11 +92,7 @@ public:
   }
   T& fromNSec(std::int64_t ns) { return set(detail::checked_duration(ns)); }
   bool isZero() const { return sec == 0 && nsec == 0; }
-  bool sleep() const
-  {
-    detail::sleep_for(toNSec());
-    return true;
-  }
+  bool sleep() const { return detail::sleep_for(static_cast<const T*>(this), toNSec()); }
 
 private:
   T& set(std::int64_t ns)
@@ -188,11 +192,12 @@ public:
   static bool sleepUntil(const Time& end) { return detail::sleep_until(static_cast<Time*>(nullptr), end.toNSec()); }
   static void init();
   static void shutdown();
-  static void useSystemTime() {}
-  static bool isSimTime() { return false; }
-  static bool isSystemTime() { return true; }
+  static void setNow(const Time& now);
+  static bool useSystemTime() { return !isSimTime(); }
+  static bool isSimTime();
+  static bool isSystemTime() { return !isSimTime(); }
   static bool isValid();
-  static bool waitForValid() { return isValid(); }
+  static bool waitForValid(const WallDuration& timeout = WallDuration());
 };
 
 class WallTime : public TimeBase<WallTime, WallDuration>
