@@ -26,6 +26,7 @@ function begin() {
   document.documentElement.classList.add("slides", ...(asked === "notes" ? ["speaker"] : []))
 
   let now = 0
+  let moved = false
   let started = Date.now()
   const place = make("output", {})
   const next = make("p", { className: "slides-next" })
@@ -49,7 +50,10 @@ function begin() {
       box.tabIndex = box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight ? 0 : -1
     }
     tellTime()
-    if (tell) channel.postMessage(now)
+    if (tell) {
+      moved = true
+      channel.postMessage(now)
+    }
   }
 
   const clock = make("p", { className: "slides-clock" })
@@ -100,8 +104,11 @@ function begin() {
     event.preventDefault()
     show(now + step)
   })
-  // A window that has just come asks where the other one is.
-  channel.onmessage = ({ data }) => (data === "where?" ? channel.postMessage(now) : show(data, false))
+  // A window that has just come asks where the other one is. What has led meanwhile is newer than the answer.
+  channel.onmessage = ({ data }) => {
+    if (data === "where?") channel.postMessage({ answer: now })
+    else if (!moved || data.answer === undefined) show(data.answer ?? data, false)
+  }
   addEventListener("hashchange", () => show(fromHash()))
   addEventListener("beforeprint", () => slides.forEach((slide) => slide.classList.add("now")))
   addEventListener("afterprint", () => show(now, false))
