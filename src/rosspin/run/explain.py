@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from ..clocks.clock import NS
 from ..clocks.frames import Place, Whereabouts, is_installed, node_frames
 from ..clocks.installed import is_installed_file
+from ..clocks.programs import Killed
 from ..clocks.simulation import Simulation, Standstill
 from ..clocks.watchdog import Stuck
 from ..world.world import NotSimulated
@@ -31,29 +32,19 @@ class TimeStandsStill(RuntimeError):
     """The node keeps simulated time from passing. The message says where and how."""
 
 
-def say_killed(
-    node: Code,
-    ros: int,
-    seconds: float | None,
-    waited: Sequence[Whereabouts],
-    patience: float,
-    ignores: bool = False,
-) -> str:
-    """Say why a node of a ROS was killed ``patience`` seconds after Ctrl-C, and where its threads were.
-
-    ``ignores`` says whether the node has asked for Ctrl-C to be ignored.
-    """
+def say_killed(node: Code, ros: int, seconds: float | None, patience: float, killed: Killed) -> str:
+    """Say why a node of a ROS was killed ``patience`` seconds after Ctrl-C, and where its threads were."""
     at = "" if seconds is None else f" at {seconds:.10g} s"
     why = f"Does its loop check {words_in(node.filename, ros).asks}?"
-    if ignores:
+    if killed.ignores:
         why = "The node ignores Ctrl-C: signal.signal(signal.SIGINT, signal.SIG_IGN)."
-    elif waits_for_a_rate(node, ros, waited):
+    elif waits_for_a_rate(node, ros, killed.waited):
         why = (
             "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep in it. "
             "Use a Rate only in a daemon thread."
         )
     said = f"rosspin: Ctrl-C{at} did not end the node; it was killed {patience:g} s later{ROS[ros].killed_as}. {why}\n"
-    return said + say_where(node, waited)
+    return said + say_where(node, killed.waited)
 
 
 def say_where(node: Code, waited: Sequence[Whereabouts]) -> str:

@@ -395,7 +395,8 @@ class Host:
             give_up(self.result())
 
         def last_words(stacks: list[Whereabouts]) -> str:
-            return say_killed(node, self.ros, seconds, keep_those_of(node, stacks), self.ending.patience)
+            killed = Killed(keep_those_of(node, stacks), ignores=False)
+            return say_killed(node, self.ros, seconds, self.ending.patience, killed)
 
         last_resort = give_up and LastResort(give, last_words)
         until = None if seconds is None else duration(seconds)
@@ -430,8 +431,7 @@ class Host:
 
     def _killed(self, process: Process, seconds: float | None, killed: Killed) -> None:
         process.world.waited = killed.waited
-        patience = self.ending.patience
-        sys.stderr.write(say_killed(process.node, self.ros, seconds, killed.waited, patience, killed.ignores))
+        sys.stderr.write(say_killed(process.node, self.ros, seconds, self.ending.patience, killed))
         if killed.blocks:
             sys.stderr.write(
                 "rosspin: the main thread blocks SIGINT (signal.pthread_sigmask): Ctrl-C does not reach it\n"

@@ -10,7 +10,7 @@ from contextlib import suppress
 from functools import partial
 
 from ..clocks.clock import NS, nanoseconds
-from ..clocks.programs import ignores_ctrl_c, press_ctrl_c, where_it_waits
+from ..clocks.programs import Killed, ignores_ctrl_c, press_ctrl_c, where_it_waits
 from ..clocks.simulation import Simulation
 from .explain import say_killed
 from .host import Host
@@ -90,8 +90,8 @@ class Together:
 
     def _kill(self, process: Process) -> None:
         world = process.world
-        waited, ignores = where_it_waits(world), ignores_ctrl_c(world)
-        self._stderr.write(say_killed(process.node, world.ros or 1, None, waited, self._host.ending.patience, ignores))
+        killed = Killed(where_it_waits(world), ignores_ctrl_c(world))
+        self._stderr.write(say_killed(process.node, world.ros or 1, None, self._host.ending.patience, killed))
         world.exit_status = 128 + signal.SIGKILL
         self.status = self.status or world.exit_status
         self._clock.end(world)
