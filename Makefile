@@ -108,7 +108,7 @@ PYTEST = "$(BIN)/pytest" --numprocesses $(1) --dist loadfile --no-loadscope-reor
 test: $(VENV:=-for-test) $(NPM)-for-test html
 	"$(BIN)/ruff" check
 	"$(BIN)/mypy" & typed=$$!; $(call SPHINX,doctest) -W --keep-going $(SPHINXOPTS); examples=$$?; wait $$typed && exit $$examples
-	$(call PYTEST,2)
+	$(call PYTEST,2) $(if $(ROSSPIN_SHARE),--share)
 	$(if $(ROSSPIN_REQUIRE),$(call PYTEST,4) --share tests/real)
 
 # The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,

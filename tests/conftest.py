@@ -16,7 +16,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 from seeds import SEED
 from settle import settle
-from shares import SHARE
+from shares import SHARE, is_left_out
 from simulated_only import simulated_only
 from surroundings import clean, heed_ctrl_c
 from tree import DOCTREES, ROOT, SITE, TESTS
@@ -33,7 +33,7 @@ heed_ctrl_c()
 
 
 def pytest_report_header() -> str:
-    return f"random tests: ROSSPIN_SEED={SEED}; share of the tests in the real lane: ROSSPIN_SHARE={SHARE}"
+    return f"random tests: ROSSPIN_SEED={SEED}; share of those that come in shares: ROSSPIN_SHARE={SHARE}"
 
 
 # What it draws follows from the seed alone, not from earlier runs, nor from the time that one takes.
@@ -57,9 +57,16 @@ def lane(name: str) -> str:
     return "judge" if name.startswith("real/judge/") else "real" if name.startswith("real/") else "simulated"
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--share", action="store_true", help="of tests marked shares(n), that of ROSSPIN_SHARE alone")
+
+
 @pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Mark each test with its lane; the files that take longest come first, and before them those that are new."""
+    if config.option.share:
+        config.hook.pytest_deselected(items=[item for item in items if is_left_out(item, SHARE)])
+        items[:] = [item for item in items if not is_left_out(item, SHARE)]
     names = {item: item.path.relative_to(TESTS).as_posix() for item in items}
     for item, name in names.items():
         item.add_marker(lane(name))

@@ -11,6 +11,8 @@ from tree import EXAMPLES
 
 from rosspin import simulate
 
+pytestmark = pytest.mark.shares(3)
+
 ROS1, PY, CPP = (
     EXAMPLES / name
     for name in ("my_robotics_pkg/src", "my_robotics_pkg_ros2/my_robotics_pkg", "my_robotics_pkg_ros2_cpp/src")

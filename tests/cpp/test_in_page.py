@@ -14,6 +14,8 @@ from rosspin.cpp import build, lean
 from rosspin.cpp.building import node_command
 from rosspin.measures import by_source, describe_timeline, lost_by_source
 
+pytestmark = pytest.mark.shares(3)
+
 EXAMPLES = ROOT / "examples"
 
 NODES = [

@@ -17,6 +17,8 @@ from tree import ROOT
 from rosspin import NotSimulated, simulate
 from rosspin.results.recordings import load
 
+pytestmark = pytest.mark.shares(3)
+
 Write = Callable[[str, str], Path]
 
 EXAMPLES = ROOT / "examples"

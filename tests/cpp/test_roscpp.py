@@ -19,6 +19,8 @@ from rosspin.cpp import nodejs
 from rosspin.faults import Service
 from rosspin.results.recordings import load
 
+pytestmark = pytest.mark.shares(3)
+
 Write = Callable[[str, str], Path]
 
 SCENARIOS = {file: recorded(f"{file}.txt") for file in ("ros1", "ros1_filters", "ros1_graph", "ros1_threads")}

@@ -11,6 +11,8 @@ from tree import ROOT
 from rosspin.exercises import check, judge, trace, verdict
 from rosspin.exercises.own import FAULTS, Answer, Lesson
 
+pytestmark = pytest.mark.shares(3)
+
 NAMES = ["follow-the-line", "lose-the-line", "look-while-driving", "stop-when-blind", "stop-at-ctrl-c"]
 NAMES += ["share-the-wheel"]
 FOLLOW = TASKS[0]

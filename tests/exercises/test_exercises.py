@@ -39,6 +39,8 @@ from rosspin.measures import rostopic_hz as rostopic_hz_of
 from rosspin.results.console import read_ticks
 from rosspin.results.recordings import load
 
+pytestmark = pytest.mark.shares(3)
+
 IN_PARTS = [exercise for exercise in EXERCISES if exercise.part]
 PAGES = {ros: notebook.read_text(encoding="utf-8") for ros, notebook in NOTEBOOKS.items()}
 

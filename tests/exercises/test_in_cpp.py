@@ -8,6 +8,8 @@ from answers import IN_CPP, NOTEBOOKS
 from rosspin.exercises import check, judge, trace
 from rosspin.exercises.own import Answer
 
+pytestmark = pytest.mark.shares(3)
+
 NAMES = list(IN_CPP)
 
 

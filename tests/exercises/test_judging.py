@@ -16,6 +16,8 @@ from answers import CELLS, NAMES, answer_in, number_of
 from rosspin.exercises import EXERCISES, Misfit, check, judge, trace
 from rosspin.exercises.traces import LONGEST
 
+pytestmark = pytest.mark.shares(3)
+
 # The page's Python, as far as it is not of a browser.
 PAGE = """
 import json, sys

@@ -21,6 +21,8 @@ from rosspin.hand_ins.archives import ON_DISK, Bounds, Found, find
 from rosspin.hand_ins.files import HandIn, Refused, read
 from rosspin.hand_ins.students import Class
 
+pytestmark = pytest.mark.shares(3)
+
 MADE = {"format": "rosspin-answers", "version": 2, "name": "Ada", "id": "a1", "answers": {"ten-hertz": "x"}}
 
 

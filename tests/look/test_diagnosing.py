@@ -15,6 +15,8 @@ from tree import ROOT
 
 from rosspin.look import TITLES, Look, Verdict, look
 
+pytestmark = pytest.mark.shares(3)
+
 PAGE = (ROOT / "docs/how-to/look-at-your-log.rst").read_text(encoding="utf-8")
 
 

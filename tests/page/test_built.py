@@ -22,6 +22,8 @@ from tree import ROOT
 
 from rosspin.site.live import plot, policy
 
+pytestmark = pytest.mark.shares(3)
+
 PAGES = sorted({kind.page for kind in FIGURES})
 
 

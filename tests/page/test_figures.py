@@ -7,9 +7,12 @@ import re
 from pathlib import Path
 from typing import Any
 
+import pytest
 from built_pages import parsed
 from figures import Kind, check_rows, kinds
 from tree import ROOT
+
+pytestmark = pytest.mark.shares(3)
 
 
 def shown(row: list[Any], first: float, span: float) -> dict[str, Any]:

@@ -10,6 +10,8 @@ from xml.etree import ElementTree
 import pytest
 from tree import ROOT
 
+pytestmark = pytest.mark.shares(3)
+
 NODE = ROOT / ".venv/bin/node"
 TSC = ROOT / "build/npm/node_modules/typescript/bin/tsc"
 

@@ -12,6 +12,8 @@ from listings_in_page import node
 from page_python import Message, look_job, run_job, said
 from tree import EXAMPLES, ROOT, TESTS
 
+pytestmark = pytest.mark.shares(3)
+
 READ = f"""
 import {{ readFileSync }} from "node:fs"
 import {{ read }} from "{(ROOT / "web/src/protocol.js").as_uri()}"

@@ -15,7 +15,6 @@ from lacking import LACKS
 from leftovers import processes
 from playwright.sync_api import Browser, expect
 from readers import PATIENCE
-from shares import SHARE, is_left_out
 from verdicts import Inconclusive
 
 from rosspin import doctor
@@ -34,7 +33,6 @@ def _required() -> set[str]:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--share", action="store_true", help="of tests marked shares(n), that of ROSSPIN_SHARE alone")
     parser.addoption("--conclusive", action="store_true", help="a test that stays inconclusive fails")
 
 
@@ -43,12 +41,9 @@ def pytest_configure() -> None:
         raise pytest.UsageError(f"ROSSPIN_REQUIRE knows {', '.join(LACKS)}; not {', '.join(sorted(unknown))}")
 
 
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         item.add_marker(pytest.mark.flaky(reruns=RERUNS, reruns_delay=1, only_rerun=Inconclusive))
-    if config.option.share:
-        config.hook.pytest_deselected(items=[item for item in items if is_left_out(item, SHARE)])
-        items[:] = [item for item in items if not is_left_out(item, SHARE)]
 
 
 @pytest.hookimpl(wrapper=True)

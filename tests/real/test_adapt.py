@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from author import copied, go_the_way
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 # Enough for the way of the how-to; all pages go it in tests/real/judge.
 FEW_PAGES = [

@@ -25,7 +25,7 @@ from rosspin.faults import ClockJump, Crash, Fault, Late, Slow, Topic
 from rosspin.real import ros1, ros2
 from rosspin.real.children import Children
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 NEVER = 60.0  # s
 

@@ -17,7 +17,7 @@ import yaml
 from answers import CELLS
 from tree import ROOT
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 EXAMPLES = ROOT / "examples/grading"
 

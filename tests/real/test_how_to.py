@@ -25,6 +25,8 @@ from rosspin.real import ros2
 from rosspin.real.ros1 import Workspace
 from rosspin.results.console import read_ticks
 
+pytestmark = pytest.mark.shares(5)
+
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
 PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"
 
@@ -200,7 +202,6 @@ def test_a_frequency_not_meant_for_the_node_is_ignored_on_the_real_ros_2(
     assert all("[SPINNER PY NODE] counter = " in line for line in run.console.splitlines())
 
 
-@pytest.mark.shares(6)
 @pytest.mark.parametrize("node", sorted((ROOT / "examples" / "hangs").glob("*.py")), ids=lambda node: node.stem)
 def test_a_node_hangs_or_goes_on_as_the_page_says(node: Path, require: Callable[[str], None]) -> None:
     require("ros2")

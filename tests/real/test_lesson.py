@@ -11,7 +11,7 @@ import pytest
 from author import copied, listed_in, typed
 from lesson import COMMANDS, FILES
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 def test_the_how_to_is_a_way_to_a_lesson(tmp_path: Path) -> None:

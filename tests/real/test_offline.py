@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from tree import ROOT
 
-pytestmark = pytest.mark.shares(2)
+pytestmark = pytest.mark.shares(5)
 
 # A network of its own, in which this machine reaches itself and nothing else, as one without a cable does.
 ALONE = ["unshare", "--map-root-user", "--net", "--mount"]

@@ -31,7 +31,7 @@ EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"
 PROBES = EXAMPLES / "timing_probes"
 
-pytestmark = [pytest.mark.usefixtures("leaves_nothing"), pytest.mark.shares(6)]
+pytestmark = [pytest.mark.usefixtures("leaves_nothing"), pytest.mark.shares(10)]
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -33,7 +33,7 @@ from rosspin.measures import by_source
 from rosspin.real import ros2
 from rosspin.real.children import Output
 
-pytestmark = [pytest.mark.usefixtures("leaves_nothing"), pytest.mark.shares(6)]
+pytestmark = [pytest.mark.usefixtures("leaves_nothing"), pytest.mark.shares(10)]
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg_ros2"

@@ -14,7 +14,7 @@ from verdicts import control
 from rosspin.real import ros2
 from rosspin.real.ros1 import Workspace
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 THREADS = EXAMPLES / "threads"
 REPORT = "left = "

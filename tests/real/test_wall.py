@@ -22,7 +22,7 @@ from rosspin import NotSimulated, Tick, measure, simulate
 from rosspin.clocks.ctrl_c import Ending
 from rosspin.run.host import Host
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 NEVER = 60  # s; only so that a test that hangs ends at all
 

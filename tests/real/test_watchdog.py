@@ -20,7 +20,7 @@ from rosspin import TimeStandsStill, rospy, simulate
 from rosspin.clocks import simulation, watchdog
 from rosspin.exercises import check
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 @pytest.fixture

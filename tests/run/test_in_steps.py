@@ -17,6 +17,8 @@ from seeds import SEED
 
 from rosspin import NodeFailed, Run, simulate, start
 
+pytestmark = pytest.mark.shares(3)
+
 ROS_2 = corpus_ros2.SCENARIOS
 
 # In these a node looks at its connections, or nobody else is connected: here the test is.

@@ -19,6 +19,8 @@ from places import PLACES, SITE, lay, looking_for_packages_in
 from rosspin import simulate
 from rosspin.run.explain import say_error
 
+pytestmark = pytest.mark.shares(3)
+
 SCENARIOS = [*corpus_ros1.SCENARIO_LIST, *corpus_ros2.SCENARIO_LIST]
 
 

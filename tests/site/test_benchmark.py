@@ -20,6 +20,8 @@ from tree import ROOT
 
 from rosspin import Run
 
+pytestmark = pytest.mark.shares(3)
+
 
 @pytest.fixture(autouse=True)
 def _counted_time(monkeypatch: pytest.MonkeyPatch) -> None:

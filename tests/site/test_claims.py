@@ -16,6 +16,8 @@ from tree import ROOT
 from rosspin.exercises import EXERCISES
 from rosspin.rclpy import _ENDING, discovery
 
+pytestmark = pytest.mark.shares(3)
+
 TEXTS = [*PAGES, ROOT / "README.md"]
 COURSES = [(2, "I am taking the course on ROS 2"), (2, "I know ROS 1 and move to ROS 2")]
 COURSES += [(1, "I am taking the course on ROS 1")]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
 import subprocess
@@ -11,6 +12,8 @@ from pathlib import Path
 import pytest
 import yaml
 from tree import ROOT, TESTS
+
+pytestmark = pytest.mark.shares(3)
 
 GUIDE = ROOT / ".github/CONTRIBUTING.md"
 TEXTS = [GUIDE, ROOT / ".github/CODE_OF_CONDUCT.md", ROOT / ".github/pull_request_template.md"]
@@ -53,7 +56,8 @@ def test_make_judge_takes_the_corpus_and_the_real_lane() -> None:
         r'(?m)^judge:.*\n\t"\$\(BIN\)/pytest" (.+) \$\(ARGS\)$', (ROOT / "Makefile").read_text("utf-8")
     )
     found = [sys.executable, "-m", "pytest", *command.split(), "--collect-only", "-q", "-k", "timer_blocked_once"]
-    run = subprocess.run([*found, "-p", "no:cacheprovider"], cwd=ROOT, capture_output=True, text=True)
+    first = {**os.environ, "ROSSPIN_SHARE": "0"}  # the share in which one of those is
+    run = subprocess.run([*found, "-p", "no:cacheprovider"], cwd=ROOT, capture_output=True, text=True, env=first)
     folders = {line.rpartition("/")[0] for line in run.stdout.splitlines() if "::" in line}
     assert {"tests/real/judge", "tests/real"} <= folders, run.stdout
 

@@ -13,6 +13,8 @@ from small_sites import build, listed, site
 
 from rosspin.results import machine
 
+pytestmark = pytest.mark.shares(3)
+
 THEME = """
 html_theme = "basic"
 html_sidebars = {"**": ["globaltoc.html"]}

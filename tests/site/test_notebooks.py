@@ -16,6 +16,8 @@ from tree import ROOT
 
 from rosspin.run.kinds import written_in
 
+pytestmark = pytest.mark.shares(3)
+
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "two-languages"}
 PATH |= {"two-languages": "publish", "publish": "exercises"}

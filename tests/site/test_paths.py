@@ -15,7 +15,7 @@ from tree import SITE
 
 from rosspin.site.times import EXERCISE
 
-pytestmark = pytest.mark.usefixtures("site")
+pytestmark = [pytest.mark.usefixtures("site"), pytest.mark.shares(3)]
 
 
 def _page(name: str) -> BeautifulSoup:

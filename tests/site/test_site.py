@@ -26,6 +26,8 @@ from tree import DOCTREES, ROOT, SITE
 from rosspin.__main__ import main
 from rosspin.site.search import _keep
 
+pytestmark = pytest.mark.shares(3)
+
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 SOURCES = [page.relative_to(ROOT).with_suffix("").as_posix() for page in PAGES]
 # What a browser loads by itself: attributes of these tags, and of links that stand in these relations.

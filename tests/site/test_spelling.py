@@ -11,6 +11,8 @@ import codespell_lib
 import pytest
 from tree import ROOT
 
+pytestmark = pytest.mark.shares(3)
+
 TEXTS = ["README.md", "CHANGELOG.md", ".github", "index.rst", "conf.py", "Makefile"]
 TEXTS += ["docs", "notebooks", "src", "examples", "tests", "benchmarks"]
 PAGES = ["README.md", "CHANGELOG.md", ".github", "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), "notebooks"]

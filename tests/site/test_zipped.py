@@ -11,6 +11,8 @@ from tree import ROOT
 
 from rosspin.site.zipped import zipped
 
+pytestmark = pytest.mark.shares(3)
+
 START = ROOT / "docs/start-here.html"
 
 

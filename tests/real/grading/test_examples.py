@@ -20,7 +20,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from tree import ROOT
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 EXAMPLES = ROOT / "examples/grading"
 HOW_TO = (ROOT / "docs/how-to/judge-hand-ins.rst").read_text(encoding="utf-8")

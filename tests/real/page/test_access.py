@@ -10,7 +10,7 @@ from looks import FAINT, faults
 from playwright.sync_api import Browser, Page, expect
 from readers import reader
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 # The pages on which most moves or is drawn, and slides.
 PAGES = ["index.html", "docs/tutorial.html", "docs/ros2/how-timing-works.html", "docs/slides/ros2.html?slides"]

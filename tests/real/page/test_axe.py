@@ -9,7 +9,7 @@ from hand_ins import HTML, WRONG, Table, handed_in
 from listings_in_page import TIMER, TUTORIAL, Cell, link, node, open_tutorial
 from playwright.sync_api import Page, expect
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 def test_open_cells(page: Page, address: str) -> None:

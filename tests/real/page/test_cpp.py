@@ -16,7 +16,7 @@ from rosspin import simulate
 from rosspin.measures import by_source, describe_timeline
 from rosspin.results.pinned import as_test
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 CPP = "div.live.highlight-cpp"
 TIMER = {

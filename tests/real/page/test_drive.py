@@ -12,7 +12,7 @@ from playwright.sync_api import Page, expect
 from rosspin.exercises import EXERCISES, check
 from rosspin.exercises.own import Lesson
 
-pytestmark = pytest.mark.shares(3)
+pytestmark = pytest.mark.shares(5)
 
 PAGE = "notebooks/drive.html"
 

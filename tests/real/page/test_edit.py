@@ -15,7 +15,7 @@ from listings_in_page import (
 from playwright.sync_api import Page, expect
 from tree import EXAMPLES
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 def test_edit(tutorial: Page, address: str) -> None:

@@ -17,7 +17,7 @@ from listings_in_page import (
 )
 from playwright.sync_api import BrowserContext, Page, expect
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 def test_flood(tutorial: Page) -> None:

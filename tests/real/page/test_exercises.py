@@ -13,7 +13,7 @@ from listings_in_page import Cell, link, open_exercise
 from playwright.sync_api import Browser, Page, expect
 from readers import reader
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ from readers import reader
 
 from rosspin.hand_ins.files import read
 
-pytestmark = pytest.mark.shares(4)
+pytestmark = pytest.mark.shares(5)
 
 NAME = "make-it-10-hz"
 

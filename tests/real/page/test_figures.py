@@ -16,7 +16,7 @@ from readers import asks_for_no_more, reader
 from rosspin import Tick
 from rosspin.plots import with_handle
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 # --- moving -----------------------------------------------------------------------------------------------------------
 
@@ -142,7 +142,7 @@ def test_plots_follow_the_switch_of_the_theme(browser: Browser, address: str) ->
             assert (max(map(int, re.findall(r"\d+", colour))) > 150) == (theme == "dark")
 
 
-@pytest.mark.shares(6)
+@pytest.mark.shares(10)
 @pytest.mark.parametrize("name", sorted({kind.page for kind in FIGURES}))
 def test_moved_figures(page: Page, address: str, name: str) -> None:
     """They stay in the page, also on a phone, can be read in light and in dark, and axe-core objects to nothing."""

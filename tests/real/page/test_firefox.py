@@ -18,7 +18,7 @@ from tree import ROOT
 
 from rosspin import simulate
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
 SPINNER_CPP = ROOT / "examples/my_robotics_pkg_ros2_cpp/src/spinner_cpp_node.cpp"

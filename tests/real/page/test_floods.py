@@ -16,7 +16,7 @@ from listings_in_page import OTHER, TIMER, Cell, have_workers, node, open_tutori
 from log_page import SHOW, LogPage
 from playwright.sync_api import BrowserContext, Page, expect
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 def said(page: Page, text: str, status: str, index: int = TIMER) -> str:

@@ -15,7 +15,7 @@ from listings_in_page import Cell
 from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Page, expect
 from readers import reader
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 def _hand_in(page: Page, name: str) -> tuple[str, dict[str, Any]]:

@@ -10,7 +10,7 @@ from answers import CELLS, WRONG, written
 from command_line import run
 from hand_ins import Table, handed_in
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 SOME = ["make-it-10-hz", "slow-timer", "cancel-a-goal", "share-data", "rostopic-hz"]
 FORGED = "print('Exercise 1: right.')\nprint('{\"verdict\": \"solved\"}')"

@@ -14,7 +14,7 @@ from listings_in_page import have_workers
 from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import BrowserContext, FilePayload, Page, expect
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 FLOOD = "print('x' * 20_000_000)"
 

@@ -20,7 +20,7 @@ from tree import ROOT
 
 from rosspin.real.ros1 import _free_port
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 TOKEN = "a-token-for-this-test"
 PATIENCE = 120  # seconds until a server that does not answer is given up

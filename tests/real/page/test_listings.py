@@ -21,7 +21,7 @@ from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
 from readers import asks_for_no_more, reader, until
 from tree import EXAMPLES
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 def test_listing_costs_two_small_requests_until_it_is_touched(context: BrowserContext, address: str) -> None:

@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, BrowserContext, Page, expect
 from readers import reader
 from tree import TESTS
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 LOGS = TESTS / "look/recorded"
 SLEEPS = (LOGS / "r1_sleep_10_work_20.log").read_text(encoding="utf-8")

@@ -88,7 +88,7 @@ def opened(tab: Page, wrong: list[str], address: str, name: str) -> Iterator[Pag
     assert not wrong
 
 
-@pytest.mark.shares(6)
+@pytest.mark.shares(10)
 @pytest.mark.parametrize("name", NAMES)
 def test_it_fits(opened: Page) -> None:
     """Nothing scrolls sideways or is cut off; plots can be read in light and in dark, and are as wide as a text."""
@@ -106,14 +106,14 @@ def test_it_fits(opened: Page) -> None:
 LONG = re.compile(r"docs/(reference/|slides/|(ros2/)?how-timing-works)|genindex")
 
 
-@pytest.mark.shares(6)
+@pytest.mark.shares(10)
 @pytest.mark.parametrize("name", [name for name in NAMES if not LONG.match(name)])
 def test_it_is_at_most_six_screens_long(opened: Page) -> None:
     opened.set_viewport_size({"width": 1280, "height": 800})
     assert opened.evaluate("document.documentElement.scrollHeight") <= 6 * 800
 
 
-@pytest.mark.shares(6)
+@pytest.mark.shares(10)
 @pytest.mark.parametrize("name", NAMES)
 def test_axe_objects_to_nothing(opened: Page) -> None:
     assert in_both_schemes(opened) == []

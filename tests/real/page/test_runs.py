@@ -25,7 +25,7 @@ from tree import EXAMPLES
 from rosspin import simulate
 from rosspin.measures import describe_timeline
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 @pytest.mark.parametrize("index", range(len(LISTINGS)))
@@ -281,7 +281,7 @@ def test_a_page_may_have_several_pairs(context: BrowserContext, address: str) ->
 # --- cells of notebooks -----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.shares(6)
+@pytest.mark.shares(10)
 @pytest.mark.parametrize("notebook", NODES)
 def test_simulated_cell(context: BrowserContext, address: str, notebook: str) -> None:
     """It runs for the seconds in its first line, and what it printed when the site was built makes way."""

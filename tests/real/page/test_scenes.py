@@ -10,7 +10,7 @@ from listings_in_page import TIMER, Cell, unfold
 from playwright.sync_api import Browser, Locator, Page, expect
 from readers import reader
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 TIMING, HANGS = "docs/ros2/how-timing-works.html", "docs/how-to/why-does-it-hang.html"
 

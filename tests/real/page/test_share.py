@@ -25,7 +25,7 @@ from tree import EXAMPLES
 from rosspin import simulate
 from rosspin.results.pinned import as_test
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 def _copied(page: Page) -> str:

@@ -14,7 +14,7 @@ from looks import faults, look
 from playwright.sync_api import BrowserContext, Page, ViewportSize, expect
 from tree import ROOT
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 DECKS = ["ros2", "ros1"]
 

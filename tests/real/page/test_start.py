@@ -25,7 +25,7 @@ from tree import EXAMPLES
 
 from rosspin import simulate
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 def _asked(page: Page, name: str) -> list[str]:

@@ -12,7 +12,7 @@ from hand_ins import EXERCISE, RIGHT, WRONG
 from listings_in_page import TIMER, Cell, link, node, open_tutorial
 from playwright.sync_api import BrowserContext, Page, expect
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 RECORD = "rosspin:/:answer:first-ticks"
 

@@ -22,7 +22,7 @@ from rosspin import simulate
 from rosspin.measures import describe_timeline
 from rosspin.site.live import plot
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 @pytest.mark.parametrize("index", range(len(LISTINGS)))

@@ -11,7 +11,7 @@ from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from readers import reader
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 STILL = {"reduced_motion": "reduce"}
 

@@ -22,7 +22,7 @@ from tree import ROOT
 
 from rosspin.site.zipped import START
 
-pytestmark = pytest.mark.shares(6)
+pytestmark = pytest.mark.shares(10)
 
 
 @pytest.fixture(scope="module")

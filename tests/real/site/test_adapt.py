@@ -16,7 +16,7 @@ from tree import ROOT
 from rosspin.site.claims import Facts, Stale, report, sentence_near
 from rosspin.site.outputs import stale_copies, stale_picture, write
 
-pytestmark = pytest.mark.shares(2)
+pytestmark = pytest.mark.shares(5)
 
 EXERCISES = "notebooks/ros2-exercises.md"
 

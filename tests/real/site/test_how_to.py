@@ -17,7 +17,7 @@ from tree import ROOT
 
 from rosspin import simulate
 
-pytestmark = pytest.mark.shares(2)
+pytestmark = pytest.mark.shares(5)
 
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
 PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"

@@ -16,7 +16,7 @@ from tree import ROOT
 
 from rosspin.site.published import Published, where
 
-pytestmark = pytest.mark.shares(2)
+pytestmark = pytest.mark.shares(5)
 
 PAGES = {"GITHUB_ACTIONS": "true", "GITHUB_REPOSITORY": "Someone/spin"}
 READ_THE_DOCS = {"READTHEDOCS": "True", "READTHEDOCS_CANONICAL_URL": "https://spin.example/en/latest/"}
