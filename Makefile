@@ -104,11 +104,12 @@ outputs: $(VENV) $(NPM)
 # there. A whole file at a time: its tests share what they have built or started. What is real waits half of the time.
 PYTEST = "$(BIN)/pytest" --numprocesses $(1) --dist loadfile --no-loadscope-reorder
 
-# mypy works during the doctests: each takes one processor.
+# mypy works during the doctests and the first tests.
 test: $(VENV:=-for-test) $(NPM)-for-test html
 	"$(BIN)/ruff" check
-	"$(BIN)/mypy" & typed=$$!; $(call SPHINX,doctest) -W --keep-going $(SPHINXOPTS); examples=$$?; wait $$typed && exit $$examples
-	$(call PYTEST,2) $(if $(ROSSPIN_SHARE),--share)
+	"$(BIN)/mypy" & typed=$$!; $(call SPHINX,doctest) -W --keep-going $(SPHINXOPTS) && \
+	  $(call PYTEST,2) $(if $(ROSSPIN_SHARE),--share); tested=$$?; \
+	  wait $$typed || { echo 'mypy objects to what is above' >&2; exit 1; }; exit $$tested
 	$(if $(ROSSPIN_REQUIRE),$(call PYTEST,4) --share tests/real)
 
 # The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
