@@ -84,11 +84,8 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
     whole = not cut or any(finding.right is False for finding in findings)
     if not whole:
         findings.append(Finding(False, _CUT, _LESS))
-    hints = [finding.hint for finding in findings if not finding.right and finding.hint]
-    if early:
-        # It comes first if the node printed nothing, else last.
-        hints.insert(len(hints) if console else 0, early)
-    hint = [*hints, exercise.hint(answer)][0]
+    first = next((finding.hint for finding in findings if not finding.right), "")
+    hint = (console and first) or early or first or exercise.hint(answer)
     return Feedback(exercise.number, tuple(findings), hint, console, whole=whole, drive=_seen_first(outcomes).drive)
 
 

@@ -222,6 +222,8 @@ def _on_messages(error: BaseException) -> str:
         return "A number is not yet a message: give `publish` one that holds it, as in `UInt32(data=5)`."
     if isinstance(error, TypeError) and "__init__() takes 1 positional argument" in said:
         return "The fields of a message are given by their names, as in `UInt32(data=5)`."
+    if isinstance(error, AssertionError) and said.startswith("The 'result' field must be"):
+        return "The callback that executes a goal has to return a result: `return Fibonacci.Result(sequence=numbers)`."
     if (isinstance(error, AssertionError) and "field must be" in said) or "SerializationE" in type(error).__name__:
         return "A field of a message takes values of its own type only. One for whole numbers takes no text."
     return ""

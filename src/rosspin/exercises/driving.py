@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from ..vehicle.drives import Command, Spot, say_off
+from ..vehicle.drives import OTHERS, Command, Spot, say_off
 from ..vehicle.physics import EDGE, FASTEST, Place, Vehicle
 from .feedback import Finding
 from .judging import plain, say
@@ -19,8 +19,8 @@ _STILL = 0.05  # m; farther than this, it has moved
 
 
 def commands(seen: Seen, first: float = 0.0, last: float = float("inf")) -> list[Command]:
-    """Return the commands of the answer from one time (s) to another, without the joystick's."""
-    return [each for each in seen.drive.commands if each.node != "/joystick" and first <= each.time <= last]
+    """Return the commands of the answer from one time (s) to another, without what other nodes sent."""
+    return [each for each in seen.drive.commands if each.node not in OTHERS and first <= each.time <= last]
 
 
 def unmoved(seen: Seen) -> Finding | None:

@@ -9,7 +9,7 @@ from itertools import pairwise
 from .judging import plain, say
 from .seen import Printed, Seen
 
-__all__ = ["for_counters", "for_none", "for_times"]
+__all__ = ["for_counters", "for_naps", "for_none", "for_times"]
 
 # Times (s) that differ by less are meant to be the same.
 _CLOSE = 1e-3
@@ -62,6 +62,13 @@ def for_times(found: Sequence[Printed], wanted: Sequence[float], hint: str = "")
     return hint
 
 
+def for_naps(seen: Seen, found: Sequence[Printed], wanted: Sequence[float]) -> str:
+    """Return a hint on counters that come late because a timer's callback sleeps; empty if none does."""
+    if not seen.naps or all(line.time < time + _CLOSE for line, time in zip(found, wanted, strict=False)):
+        return ""
+    return f"The callback sleeps, at line {seen.naps[0]}, and its timer calls it again only when it has returned."
+
+
 def for_none(seen: Seen, tag: str, hint: str = "") -> str:
     """Return a hint on counters of a ``tag`` of which none came; ``hint`` if the run does not show why."""
     sign = re.compile(rf"\[\s*{tag}\s*\]|\b{tag}\b|counter", re.IGNORECASE)
@@ -81,4 +88,6 @@ def for_none(seen: Seen, tag: str, hint: str = "") -> str:
             f"A timer of the node has a period of {period}, so its first call is not due before the run ends, at {end}."
         )
         return f"{late} {hint or _PERIOD}"
+    if not seen.printed and any(timer.calls for timer in seen.timers):
+        return "A timer called its callback, but that printed nothing. Lines that are logged as debug are not shown."
     return hint

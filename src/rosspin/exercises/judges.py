@@ -11,7 +11,7 @@ from itertools import count, pairwise
 from typing import Concatenate, ParamSpec
 
 from .feedback import Finding
-from .hints import for_counters, for_none, for_times
+from .hints import for_counters, for_naps, for_none, for_times
 from .judging import Answer, Judge, above, hint_for_kept, plain, say, say_error, say_kept
 from .seen import Printed, Seen
 
@@ -63,20 +63,28 @@ def ending(
     return judge
 
 
-def shaken(seeds: int, seconds: float, *checks: Check, given: str = "", right: str = "") -> Judge:
+def shaken(
+    seeds: int,
+    seconds: float,
+    *checks: Check,
+    given: str = "",
+    right: str = "",
+    stalls_at: float | None = None,
+) -> Judge:
     """Run an answer once for each seed, its threads taking turns at any point, and tell the first thing that is wrong.
 
     If nothing is wrong, a finding says so, in the words ``right``.
     """
+    when = _TURNS if stalls_at is None else f"{_TURNS}, and the computer is busy for a while"
 
     def judge(answer: Answer) -> Iterator[Finding]:
         for seed in range(seeds):
-            for finding in _found(answer.run(seconds, given, seed=seed), _TURNS, checks):
+            for finding in _found(answer.run(seconds, given, seed=seed, stalls_at=stalls_at), when, checks):
                 if not finding.right:
                     yield finding
                     return
         if right:
-            yield Finding(True, f"{right} {_TURNS}.")
+            yield Finding(True, f"{right} {when}.")
 
     return judge
 
@@ -191,7 +199,7 @@ def ticks(
     if not found:
         said = for_none(seen, tag or seen.tag, said)
     elif seen.interrupted:
-        said = for_times(found, wanted, said)
+        said = for_times(found, wanted, said or for_naps(seen, found, wanted))
     return on_time(found, wanted, what, said)
 
 
@@ -208,6 +216,11 @@ def unless_regular(asked: float, hint: str) -> Hint:
         return hint
 
     return hint_for
+
+
+def unless_first_at(time: float, hint: str) -> Hint:
+    """Return a hint for counters the first of which does not come at a time (s)."""
+    return lambda found: "" if found and abs(found[0].time - time) < CLOSE else hint
 
 
 # --- who ticks --------------------------------------------------------------------------------------------------------
@@ -265,8 +278,9 @@ def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Fi
     stop = next((n for n, (_, speed) in enumerate(commands) if not speed), None)
     if stop is None:
         return Finding(False, f"{when}: nothing stops the motor. It continues at its last speed.")
-    time = commands[stop][0]
-    if later := [after for after, speed in commands[stop:] if speed]:
+    time, (last, speed) = commands[stop][0], commands[-1]
+    later = [after for after, speed in commands[stop:] if speed]
+    if later and (speed or last > end + 0.5):
         text = f"{when}: the motor was stopped at {say(time)}, and driven again at {say(later[0])}."
         return Finding(False, text, again)
     if time > end + 0.5:
@@ -491,15 +505,15 @@ def unmatched(seen: Seen) -> Finding | None:
         return Finding(False, f"the controller: nothing subscribes to `/position`{where}.", hint)
     if refused:
         text = f"the controller: a subscription with {refused[0].qos} does not match the sensor. Read the warnings."
-        asks_for_kept = "volatile" not in refused[0].qos
-        hint = _KEPT_TOO if asks_for_kept and "best_effort" in refused[0].qos else _RELIABLE
-        return Finding(False, text, hint)
+        is_reliable, asks_for_kept = "best_effort" not in refused[0].qos, "volatile" not in refused[0].qos
+        return Finding(False, text, _RELIABLE if is_reliable else _KEPT_TOO if asks_for_kept else _ANOTHER)
     if not any(end.joined for end in ends):
         return Finding(False, "the controller: its subscription is not connected to the sensor.", _SAME)
     return None
 
 
 _RELIABLE = "The subscription asks for reliable messages, unless you say otherwise. The sensor offers less."
+_ANOTHER = "The warnings name the policy that does not match: the subscription asks for more than the sensor offers."
 _KEPT_TOO = (
     "The subscription asks for messages that the publisher has kept (`TRANSIENT_LOCAL`). The sensor keeps none: it is "
     "`VOLATILE`."

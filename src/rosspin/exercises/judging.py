@@ -81,8 +81,8 @@ class Answer:
 
         With a ``seed`` its threads take turns at any point; from ``stalls_at`` (s) on, nothing of it runs for a while.
         The nodes in ``beside`` are processes of their own: "vehicle", "silent vehicle" (its sensor is, from 3 s to
-        5 s) and "joystick" (:mod:`rosspin.vehicle.ros2`). If Ctrl-C comes earlier in the answer, ``interrupted_at``
-        (s), they continue to the end.
+        5 s), "joystick" and others (:mod:`rosspin.vehicle.ros2`). If Ctrl-C comes earlier in the answer,
+        ``interrupted_at`` (s), they continue to the end.
 
         The check ends if the node cannot be run, if it fails with an error whose text lacks ``allowed``, or if it
         ``has_to_end`` and Ctrl-C does not end it. An exception with which Ctrl-C ends nodes of its ROS is no failure.

@@ -22,6 +22,7 @@ _ASKED = {
     "numbers": (lambda number: f"{number:g}", "numbers", "[1, 1, 2, 2]"),
 }
 _NTH = ("the first", "the second", "the third", "the fourth")
+_LETTER = re.compile(r"\W*([A-Z])(?=\W*$|\s*[:.,;)*-](?!\W*[A-Z]\W*$))", re.IGNORECASE)  # not two of them
 _LEAST = 3  # of so many numbers it is said which one is wrong
 
 
@@ -90,7 +91,7 @@ def chosen(choices: Mapping[str, str], /, **right: str) -> Judge:
             if value is None or value.is_open:
                 yield Finding(None, f"`{variable}`: there is no answer yet.")
                 continue
-            found = re.match(r"\W*([A-Z])(?=\W*$|\s*[:.,;)*-])", value.text, re.IGNORECASE)
+            found = _LETTER.match(value.text)
             named = found[1].upper() if found and value.type == "str" else ""
             if named not in choices:
                 letters = f"one of the letters A to {max(choices)}"

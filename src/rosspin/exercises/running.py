@@ -33,7 +33,7 @@ from ..run.simulate import run_node
 from ..run.source import Code, NodeLike, code_of_program, load_source
 from ..run.streams import capture
 from ..vehicle import ros1, ros2
-from ..vehicle.drives import NODE, Drive
+from ..vehicle.drives import NODE, OTHERS, Drive
 from ..world.graph import EndMade, TickLog
 from ..world.world import NotSimulated, World, current_world
 from . import in_rospy
@@ -68,10 +68,11 @@ _MOST = 100
 _BESIDE: dict[tuple[int, str], NodeLike] = {
     (2, "vehicle"): ros2.vehicle,
     (2, "silent vehicle"): partial(ros2.vehicle, silent=(3.0, 5.0)),
+    (2, "vehicle, silent earlier"): partial(ros2.vehicle, silent=(2.0, 3.5)),
     (2, "joystick"): ros2.joystick,
+    (2, "tablet"): partial(ros2.joystick, pressed=(2.0, 3.5), name="tablet"),
     (1, "vehicle"): ros1.vehicle,
 }
-_OTHERS = (NODE, "/joystick")  # what they are called
 
 _FIRST = "Nothing ran. Begin with the compiler's first error: others may follow from it. It may be in the line before."
 
@@ -349,7 +350,7 @@ class Runner:
             errors = in_cpp.errors(world, clock.printed, node.filename)
         ends = self._fitting(map(self._end, world.recording.ends))
         messages = result.messages()
-        own = [message for message in messages if not request.beside or message.node not in _OTHERS]
+        own = [message for message in messages if not request.beside or message.node not in (NODE, *OTHERS)]
         sent, calls = self._fitting(map(_sent, own)), self._fitting(map(_called, result.calls()))
         spots, commands = Drive.of(messages if request.beside else ())
         printed = self._fitting(clock.printed)

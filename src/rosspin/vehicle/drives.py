@@ -10,10 +10,13 @@ from typing import NamedTuple
 from ..results.ticks import Message
 from .physics import EDGE, START, nearest, point
 
-__all__ = ["NODE", "Command", "Drive", "Spot", "say_off"]
+__all__ = ["NODE", "OTHERS", "Command", "Drive", "Spot", "say_off"]
 
 NODE = "/vehicle"
 """The full name of its node."""
+
+OTHERS = ("/joystick", "/tablet")
+"""The full names of the nodes that steer it together with an answer."""
 
 _JUMP = 0.5  # m; so far nothing drives between two messages that say where it is
 

@@ -62,7 +62,7 @@ def vehicle(silent: tuple[float, float] = (0.0, 0.0)) -> None:
         rclpy.try_shutdown()
 
 
-def joystick(pressed: tuple[float, float] = (3.0, 5.0)) -> None:
+def joystick(pressed: tuple[float, float] = (3.0, 5.0), name: str = "joystick") -> None:
     """Be a joystick, with which someone stops the vehicle: from one time of ``pressed`` (s) to the other.
 
     It has a publisher of ``/cmd_vel`` only meanwhile, and sends a speed of 0 four times a second.
@@ -73,7 +73,7 @@ def joystick(pressed: tuple[float, float] = (3.0, 5.0)) -> None:
     from geometry_msgs.msg import Twist
 
     rclpy.init()
-    node = rclpy.create_node("joystick")
+    node = rclpy.create_node(name)
     first, last = pressed
     try:
         time.sleep(first)

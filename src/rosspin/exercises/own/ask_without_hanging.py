@@ -67,15 +67,16 @@ HINTS = [
     "`future.add_done_callback(self.done_callback)`. The answer is `future.result()`.",
 ]
 _RING = (
-    "The lines that begin with `rosspin:` say who waits, for what, and who would give that. While a callback waits, it "
-    "keeps its thread and its callback group."
+    "While a callback waits, it keeps its thread and its callback group. If the node hangs, the lines that begin with "
+    "`rosspin:` say who waits, for what, and who would give that."
 )
+_PRINT = "Print the `message` of each answer as soon as it has come: in a function that you give to the future."
 HINT = "Ask with `call_async`. Print in a function that you give to the future's `add_done_callback`."
 
 check = by.goes_on(
     4.3,
     by.answered("/take_picture", at=[1.0, 2.0, 3.0, 4.0], hint=_RING),
-    by.ticks(1.0, "The pictures", "CAMERA", _RING),
+    by.ticks(1.0, "The pictures", "CAMERA", _PRINT),
     by.ticks(0.5, "The heartbeat", "HEARTBEAT", _RING),
     hint=_RING,
 )

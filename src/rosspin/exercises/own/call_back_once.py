@@ -106,12 +106,14 @@ HINTS_CPP = [
     "Call `timer_->cancel()` in the callback.",
 ]
 _STOPS_ALL = "Stop one timer, and no more: what ends the node, or keeps its callback from returning, stops them all."
+_FIRST = "The first call should come after 1.5 s, as before. Its timer is stopped then, and not earlier."
 HINT = "Keep the timer in `self.timer`, and call its `cancel()` in the callback."
 HINT_CPP = "Call the `cancel()` of the timer in its callback: `timer_->cancel()`."
 
+
 check = by.run(
     6.0,
-    by.ticks(at=[1.5]),
+    by.ticks(at=[1.5], hint=lambda found: by.unless_first_at(1.5, _FIRST if found else _STOPS_ALL)(found)),
     by.ticks(1.0, "The heartbeat", "HEARTBEAT", _STOPS_ALL),
     by.stops(1, "a timer of the node"),
 )
@@ -158,6 +160,7 @@ RIGHT = [
     {TRY: "    try:\n        rclpy.spin(spinner_py_node)\n    finally:\n        rclpy.shutdown()\n"},
 ]
 WRONG = [
+    ({"(1.5": "(1.0"}, "counter 1 came at 1 s, not at 1.5 s", "The first call should come after 1.5 s"),
     ({CANCELS: "        del self.timer\n"}, "object has no attribute 'timer'", "before this line runs"),
     ({KEEPS: KEEPS.replace(")", ", autostart=False)")}, "no counter was printed", "or never started"),
     (
@@ -202,7 +205,7 @@ WRONG = [
             "import rclpy\n": "import threading\n\nimport rclpy\n",
         },
         "counter 1 came at 0.5 s, not at 1.5 s",
-        "Stop the timer itself",
+        "The first call should come after 1.5 s",
     ),
 ]
 
@@ -241,7 +244,7 @@ WRONG_CPP = [
     (
         {"timer_->cancel();": "heartbeat_->cancel();"},
         "counter 2 came at 3 s",
-        "Stop one timer, and no more: what ends the node, or keeps its",
+        "Call the `cancel()` of the timer in its callback",
     ),
     (
         {"timer_->cancel();": "timer_->cancel();\n    heartbeat_->cancel();"},
@@ -268,10 +271,10 @@ WRONG_CPP = [
         "does not compile",
         "Nothing ran. Begin with the compiler's first error: others may",
     ),
-    ({"1500ms": "500ms"}, "counter 1 came at 0.5 s, not at 1.5 s", "Call the `cancel()` of the timer in its callback:"),
+    ({"1500ms": "500ms"}, "counter 1 came at 0.5 s, not at 1.5 s", "The first call should come after 1.5 s"),
     (
         {"timer_->cancel();": "while (rclcpp::ok() && counter_ > 0)\n      rclcpp::sleep_for(100ms);"},
         "counter 2 came at 6 s; it should not have come.",
-        "Stop one timer, and no more: what ends the node, or keeps its",
+        "Call the `cancel()` of the timer in its callback",
     ),
 ]

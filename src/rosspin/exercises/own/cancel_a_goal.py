@@ -126,6 +126,8 @@ def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Findin
             hint = f"`execute_callback` failed: `{plain(asked[0].rpartition('callback: ')[2])}`."
         elif status == "5" and not cancelled:
             hint = "The client cancels the goal. It should stay as it is."
+        elif found[0].text == "4" and found[0].time < 5.0 - by.CLOSE and numbers[0].text == "10":
+            hint = "It was reached too early: take 0.5 s for each number, as before."
         elif found[0].text == "4" and numbers[0].text != "10":
             hint = "It succeeded early: `goal.succeed()` in place of `goal.canceled()`, or a client that asks for less."
         elif status == "5" and cancelled[0].text == "0":
@@ -203,6 +205,12 @@ RIGHT = [
     },
 ]
 WRONG = [
+    ({SLEEPS_HALF: SLEEPS_HALF.replace("0.5", "0.25")}, "was reached (4) at 3 s", "take 0.5 s for each number"),
+    (
+        {"return Fibonacci.Result(sequence=numbers)\n            ": "return\n            "},
+        "AssertionError",
+        "return a result",
+    ),
     ({"cancel_requested": "cancel_requested()"}, "aborted (6) at 1 s", "`execute_callback` failed: `'bool' object"),
     ({"self.goal.cancel_goal_async()": "pass  # "}, "was reached (4) at 5 s", "The client cancels the goal"),
     (

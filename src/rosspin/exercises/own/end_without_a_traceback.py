@@ -87,6 +87,9 @@ HINT = (
 
 def _fails(seen: Seen, when: str) -> Finding:
     """Whether an error has ended the node with a status other than 0."""
+    if seen.status and not seen.errors:
+        text = f"{when}: the node ended with status {seen.status}, but without a traceback."
+        return Finding(False, text, _SWALLOWED)
     if seen.status:
         return Finding(True, f"{when}: the node ended with status {seen.status}.")
     went_on = "continued" if seen.interrupted else "ended with status 0, as if all were well"
@@ -149,6 +152,11 @@ RIGHT = [
     {DRIVE_SPIN: "        while rclpy.ok():\n            rclpy.spin_once(driver_py_node)\n"},
 ]
 WRONG = [
+    (
+        {"    finally:\n": "    except RuntimeError:\n        raise SystemExit(1)\n    finally:\n"},
+        "The sensor fails: the node ended with status 1, but without a traceback",
+        "nothing else",
+    ),
     (
         {"(KeyboardInterrupt, ExternalShutdownException)": "KeyboardInterrupt"},
         "SIGTERM: the node stopped in line 38:",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from .. import Finding
 from ..driving import commands, follows
@@ -62,13 +63,16 @@ HINTS = [
     "The period is 0.1 s, and the callback can be `self.steer` itself.",
 ]
 
+_TURNS = "The commands come often enough. Is the turn 8.0 times the newest offset, as before?"
 _AGAIN = "Its wheels stay as they were told last. Tell them again, ten times a second or so."
 
 
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether a timer steers, and the vehicle keeps to its line."""
     seen = answer.run(8.0, beside=["vehicle"])
-    followed = follows(seen, _AGAIN)
+    times = [command.time for command in commands(seen)]
+    is_rare = any(after - time > 0.35 for time, after in pairwise([*times, seen.seconds]))
+    followed = follows(seen, _AGAIN if is_rare else _TURNS)
     yield followed
     if followed.right and not any(
         timer.state == "running" and len(timer.calls) >= 0.5 * len(commands(seen)) for timer in seen.timers
@@ -103,6 +107,10 @@ rclpy.spin(node)
 """,
 ]
 WRONG = [
+    (
+        {"        self.steer()\n": "        self.create_timer(0.1, self.steer)\n", "8.0 *": "0.5 *"},
+        "Is the turn 8.0 times",
+    ),
     ({}, "it did not reach the vehicle"),
     ({"self.steer()\n": "self.create_timer(0.1, self.steer())\n"}, "NoneType"),
     ({"self.steer()\n": "self.create_timer(1.0, self.steer)\n"}, "leaves its line"),

@@ -48,11 +48,15 @@ HINTS = [
 HINT = "`rospy.get_param(name, default)`; the name of a private parameter begins with `~`; the default is in Hz, too."
 
 
+_PERIOD = "A timer is given a period, which is 1 / frequency. Without the parameter the frequency is 2 Hz."
+_ASK = "`rospy.get_param` finds a parameter wherever it was set, in a launch file as well."
+
+
 def _follows(seconds: float, period: float, given: str) -> Judge:
     """Whether the node ticks with the period (s) of the frequency that it is given, and has asked for a parameter."""
 
     def look(seen: Seen, when: str) -> Finding | None:
-        hint = ""
+        hint = _ASK
         if any(name.count("/") > 1 and name.endswith("/frequency") for name in seen.parameters):
             hint = "The parameter is read, but the timer has another period than 1 / frequency."
         elif seen.parameters:
@@ -67,11 +71,11 @@ def _asks_for_a_parameter(seen: Seen, when: str) -> Finding | None:
     if seen.parameters or not seen.interrupted:
         return None
     text = f"{when}: the node asked for no parameter."
-    return Finding(False, text, "`rospy.get_param` finds a parameter wherever it was set, in a launch file as well.")
+    return Finding(False, text, _ASK)
 
 
 check = by.every(
-    by.run(2.0, by.ticks(0.5), when="Without the parameter"),
+    by.run(2.0, by.ticks(0.5, hint=by.unless_first_at(0.5, _PERIOD)), when="Without the parameter"),
     _follows(1.0, 0.1, "_frequency:=10"),
     _follows(4.0, 2.0, "_frequency:=0.5"),
 )
@@ -106,10 +110,10 @@ WRONG = [
     (
         {"1.0 / frequency_in_hz": "frequency_in_hz"},
         "Without the parameter: counter 1 came at 2 s",
-        "than 1 / frequency",
+        "which is 1 / frequency",
     ),
     ({"1.0 / frequency_in_hz": "1 // frequency_in_hz"}, "stopped with `ZeroDivisionError", "a period of 0 s"),
-    ({", 2.0)": ", 0.5)"}, "Without the parameter: counter 1 came at 2 s", "the default is in Hz"),
+    ({", 2.0)": ", 0.5)"}, "Without the parameter: counter 1 came at 2 s", "the frequency is 2 Hz"),
     ({'rospy.get_param("~frequency", 2.0)': "2.0"}, "the node asked for no parameter", "in a launch file as well"),
     (
         {PARAMETER + '("~frequency", 2.0)': 'frequency_in_hz = str(rospy.get_param("~frequency", 2.0))'},

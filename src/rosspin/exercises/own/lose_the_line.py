@@ -63,7 +63,7 @@ HINTS = [
 ]
 
 _SECONDS = 8.0
-_LONGEST = 0.25
+_LONGEST = 0.3
 
 
 def check(answer: Answer) -> Iterator[Finding]:
@@ -75,27 +75,29 @@ def check(answer: Answer) -> Iterator[Finding]:
         count, least = len(commands(seen)), int(_SECONDS / _LONGEST)
         text = f"{count} commands came in {say(_SECONDS)}, one every {say(_between(seen))}."
         hint = "It still keeps to its line if they are rarer. Make the period longer, in steps of 0.05 s."
-        yield Finding(count <= least + 1, text, hint)
+        yield Finding(count <= least, text, hint)
 
 
 def _between(seen: Seen) -> float:
-    return round(_SECONDS / max(len(commands(seen)), 1), 2)
+    times = [command.time for command in commands(seen)]
+    return round((times[-1] - times[0]) / (len(times) - 1), 2) if len(times) > 1 else _SECONDS
 
 
 RIGHT = [
-    {"0.5, self": "0.25, self"},
-    {"0.5, self": "1 / 4, self"},
     {"0.5, self": "0.3, self"},
+    {"0.5, self": "3 / 10, self"},
+    {"0.5, self.timer_callback": "timer_period_sec=0.31, callback=self.timer_callback"},
     {
         "        self.create_timer(0.5, self.timer_callback)\n": "        self.ticks = 0\n"
         "        self.create_timer(0.05, self.timer_callback)\n",
         "    def timer_callback(self):\n": "    def timer_callback(self):\n        self.ticks += 1\n"
-        "        if self.ticks % 5:\n            return\n",
+        "        if self.ticks % 6:\n            return\n",
     },
 ]
 WRONG = [
     ({}, "leaves its line by 1.4 m"),
     ({"0.5, self": "0.35, self"}, "leaves its line"),
+    ({"0.5, self": "0.25, self"}, "32 commands came in 8 s, one every 0.25 s"),
     ({"0.5, self": "0.2, self"}, "40 commands came in 8 s"),
     ({"0.5, self": "0.05, self"}, "160 commands came in 8 s, one every 0.05 s"),
     ({"0.5, self": "4.0, self"}, "leaves its line"),

@@ -127,6 +127,11 @@ RIGHT = [
     PLAIN.replace("MADE", "node.create_timer(0.1, callback)"),
 ]
 WRONG = [
+    (
+        {SAYS: f"{SAYS}        time.sleep(0.2)\n", "import rclpy\n": "import time\n\nimport rclpy\n"},
+        "counter 2 came at 0.3 s, not at 0.2 s",
+        "The callback sleeps, at line 17",
+    ),
     ({MAKES: f"{MAKES}\n        {MAKES}"}, "counter 2 came at 0.1 s, not at 0.2 s", "two at a time"),
     ({MAKES: "self.create_timer(0,1, self.timer_callback)"}, "no attribute 'add_entity'", "`0,1` is two numbers"),
     ({MAKES: "self.createTimer(0.1, self.timer_callback)"}, "attribute 'createTimer'", "There is a `create_timer`"),

@@ -180,6 +180,15 @@ RIGHT = [
 WRONG = [
     (
         {
+            HEARS: "self.position_callback, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, "
+            "liveliness=LivelinessPolicy.MANUAL_BY_TOPIC))",
+            IMPORTS_QOS: f"{IMPORTS_QOS}, LivelinessPolicy, QoSProfile, ReliabilityPolicy",
+        },
+        "best_effort, volatile, depth 5 does not match",
+        "The warnings name the policy",
+    ),
+    (
+        {
             HEARS: "self.position_callback, 10)",
             "(UInt32(data=self.position))\n": f"(UInt32(data=self.position))\n{CALLED_ITSELF}",
         },

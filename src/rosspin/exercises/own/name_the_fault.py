@@ -121,6 +121,7 @@ RIGHT = [
     {'log_1 = "B"': "", 'log_2 = "E"': 'log_1, log_2 = "BE"'},
 ]
 WRONG = [
+    ({'"B"': '"B, D"'}, "the answer is one of the letters A to G", 'Write it as `"A"`'),
     ({'"B"': '"A"'}, "`log_1`: it is not A", "1 divided by what was asked for"),
     ({'"B"': '"D"'}, "`log_1`: it is not D", "its first call after one period"),
     ({'"D"': '"B"'}, "`log_3`: it is not B", "makes its first pass immediately"),

@@ -104,6 +104,7 @@ HINTS_CPP = [
     "`RCLCPP_ERROR` logs an error. `std::exit(1)` ends a program with status 1, also from a constructor.",
 ]
 _IN_SECONDS = 'The parameter is called "period". Is it what the timer is given, in seconds?'
+_DEFAULT = "Without the parameter the period is its default, 0.5 s. Is it what the timer is given, in seconds?"
 HINT = "`self.declare_parameter(name, default).value` is a parameter's value. Look at it before you make the timer."
 HINT_CPP = "`declare_parameter(name, default)` returns the value of a parameter. Look at it before you make the timer."
 
@@ -128,13 +129,13 @@ def _refuses(seen: Seen, when: str) -> Finding:
     said = [line.text.strip() for line in seen.printed if "period" in line.text.lower()]
     if not said:
         return Finding(False, f"{when}: no line says that the period is wrong.", look)
-    if all(line.startswith(("[DEBUG]", "[INFO]")) for line in said):
+    if not any(line.startswith(("[ERROR]", "[FATAL]")) for line in said):
         return Finding(False, f"{when}: the node did not log `{plain(said[0])}` as an error.", look)
     return Finding(True, f"{when}: the node said `{plain(said[0])}`, and ended with status {seen.status}.")
 
 
 check = by.every(
-    by.run(2.0, by.ticks(0.5), when="Without the parameter"),
+    by.run(2.0, by.ticks(0.5, hint=_DEFAULT), when="Without the parameter"),
     by.until_wrong(
         by.run(1.0, by.ticks(0.1, hint=_IN_SECONDS), by.declares("period"), given="period:=0.1"),
         by.run(5.0, by.ticks(2.0, hint=_IN_SECONDS), given="period:=2.0"),
@@ -181,12 +182,13 @@ RIGHT = [
         PERIOD: '        self.declare_parameter("period", 0.5)\n'
         '        period = self.get_parameter("period").get_parameter_value().double_value\n'
     },
-    {REFUSES: '        if period <= 0:\n            raise SystemExit("period must be above 0")\n'},
     # It looks in main, and returns a status.
     {
         REFUSES: '        if period <= 0:\n            raise ValueError("a period of " + str(period) + " s")\n',
         "    spinner_py_node = SpinnerPyNode()\n": "    try:\n        spinner_py_node = SpinnerPyNode()\n"
-        "    except ValueError as error:\n        print(error, file=sys.stderr)\n        return 2\n",
+        "    except ValueError as error:\n        rclpy.logging.get_logger('spinner_py_node').fatal(str(error))\n"
+        "        return 2\n",
+        "import rclpy\n": "import rclpy\nimport rclpy.logging\n",
         "'__main__':\n    main()": "'__main__':\n    sys.exit(main())",
     },
     # rclpy looks itself.
@@ -204,7 +206,8 @@ RIGHT = [
     },
     PLAIN.replace(
         "MADE",
-        'period = node.declare_parameter("period", 0.5).value\nif period <= 0: sys.exit("bad period")\n'
+        'period = node.declare_parameter("period", 0.5).value\n'
+        'if period <= 0: sys.exit(node.get_logger().error("bad period") and 1)\n'
         "node.create_timer(period, callback)",
     ),
     {REFUSES: REFUSES.replace("sys.exit(1)", "rclpy.shutdown()\n            sys.exit(3)")},
@@ -226,7 +229,7 @@ WRONG = [
     (
         {PERIOD: PERIOD.replace("0.5", "1.0")},
         "Without the parameter: counter 1 came at 1 s",
-        "is a parameter's value",
+        "the period is its default, 0.5 s",
     ),
     (
         {"create_timer(period": "create_timer(1 / period"},
@@ -260,6 +263,13 @@ WRONG = [
         "not take another one in its place",
     ),
     ({REFUSES: REFUSES.replace(".error(", ".info(")}, "did not log `[INFO]", "write an error line"),
+    ({REFUSES: REFUSES.replace(".error(", ".warning(")}, "did not log `[WARN]", "write an error line"),
+    ({REFUSES: REFUSES.replace("self.get_logger().error(", "print(")}, "did not log `the period has", "an error line"),
+    (
+        {REFUSES: '        if period <= 0:\n            raise SystemExit("period must be above 0")\n'},
+        "did not log `period must be above 0` as an error",
+        "write an error line",
+    ),
     (
         {REFUSES: REFUSES.replace("sys.exit(1)", "sys.exit()")},
         "ended with status 0, as if all were well",
@@ -283,7 +293,7 @@ WRONG = [
     (
         {PERIOD: PERIOD.replace("0.5", "1")},
         "Started with `--ros-args -p period:=0.1`",
-        "keeps the type with which it was declared",
+        "the period is its default, 0.5 s",
     ),
 ]
 
@@ -342,12 +352,12 @@ WRONG_CPP = [
     (
         {"duration<double>(period)": "duration<double>(1 / period)"},
         "Without the parameter: counter 1 came at 2 s",
-        "A timer of the node has a period of 10 s, so its first",
+        "the period is its default, 0.5 s",
     ),
     (
         {"0.5)": "1)"},
         "Without the parameter: counter 1 came at 1 s, not at 0.5 s.",
-        "What threw this says in its own words what was wrong, and",
+        "the period is its default, 0.5 s",
     ),
     (
         {READS_CPP: '    declare_parameter("period", 0.5);\n    double period = get_parameter("period");\n'},

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import plain, say
@@ -79,7 +81,10 @@ def _parts_add_up(seen: Seen, when: str) -> Finding:
     return Finding(True, "10 reports came, and they add up to the parts that have passed.")
 
 
-def _calls_add_up(seen: Seen, when: str) -> Finding:
+_COUNTED = "Report what the callback has counted: a tick that is lost counts no part."
+
+
+def _calls_add_up(seen: Seen, when: str, hint: str = _COUNTED) -> Finding:
     """Whether the reports of a node that was held up, and lost ticks, add up to the calls of its callback.
 
     The callback that counts is the one called most often. Its newest call may miss the report.
@@ -94,7 +99,7 @@ def _calls_add_up(seen: Seen, when: str) -> Finding:
         most = sum(call <= time for call in calls)
         if not least <= total <= most:
             text = f"{when}: the reports up to {say(time)} add up to {total}, but the parts were counted {most} times."
-            return Finding(False, text, "Report what the callback has counted: a tick that is lost counts no part.")
+            return Finding(False, text, hint)
     return Finding(True, f"the reports are right as well {when}.")
 
 
@@ -102,6 +107,8 @@ check = by.until_wrong(
     by.run(5.2, _parts_add_up),
     by.shaken(5, 5.2, _parts_add_up, right="the reports are right as well"),
     by.run(5.2, _calls_add_up, when="when the computer is busy for a while", stalls_at=1.22),
+    # A report that is being sent then ends when a part is counted.
+    by.shaken(5, 5.2, partial(_calls_add_up, hint=HINT), stalls_at=1.52),
 )
 
 SOLUTION = {
@@ -206,6 +213,16 @@ WRONG = [
         "both need one lock",
     ),
     (parts("self.parts += 1", f"parts = self.parts\nself.parts -= parts\n{SAY_PARTS}"), "take turns", "one lock"),
+    # Here they meet only if the report is late.
+    (
+        parts(
+            LOCKED_COUNT,
+            f"with self.lock:\n    parts = self.parts\nrospy.sleep(0.05)\n{SAY_PARTS}\nself.parts -= parts",
+            LOCK,
+        ),
+        "take turns at every line, and the computer is busy for a while",
+        "both need one lock",
+    ),
     (parts("self.parts += 1", f"parts, self.parts = self.parts, 0\n{SAY_PARTS}"), "take turns", "one lock"),
     (
         parts("with threading.Lock():\n    self.parts += 1", LOCKED_REPORT.replace("self.lock", "threading.Lock()")),

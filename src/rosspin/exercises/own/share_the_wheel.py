@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from .. import Finding
 from ..driving import commands, follows, stands
 from ..judging import Answer, plain, say
+from ..seen import Seen
 
 TITLE = "Share the wheel"
 TEXT = """
@@ -63,7 +64,6 @@ HINTS = [
     "`self.get_publishers_info_by_topic('cmd_vel')` says who: each has a `node_name`.",
 ]
 
-_PRESSED, _RELEASED = 3.0, 5.0
 _YIELD = (
     "The wheels keep what came last, whoever sent it, and your node sends more. While another node publishes on "
     "`cmd_vel`, send nothing."
@@ -71,31 +71,43 @@ _YIELD = (
 
 
 def check(answer: Answer) -> Iterator[Finding]:
-    """Whether the joystick stops the vehicle while it is pressed, and the node says who that was."""
-    seen = answer.run(8.0, beside=["vehicle", "joystick"])
-    before = follows(seen, "Steer as before while no other node does.", 0.0, _PRESSED)
+    """Whether the joystick stops the vehicle while it is pressed, and the node says who that was, whoever it is."""
+    findings = list(_yields(answer.run(8.0, beside=["vehicle", "joystick"]), "joystick", 3.0, 5.0))
+    yield from findings
+    if all(finding.right for finding in findings):
+        for finding in _yields(answer.run(5.0, beside=["vehicle", "tablet"]), "tablet", 2.0, 3.5):
+            if not finding.right:
+                yield finding._replace(
+                    text=f"A node `tablet` in place of the joystick, from 2 s to 3.5 s: {finding.text}"
+                )
+
+
+def _yields(seen: Seen, name: str, pressed: float, released: float) -> Iterator[Finding]:
+    """Whether another node of this name stops the vehicle while it is pressed, and the node says who that was."""
+    before = follows(seen, "Steer as before while no other node does.", 0.0, pressed)
     yield before
     if not before.right:
         return
-    yield stands(seen, _PRESSED + 0.6, _RELEASED, _YIELD)
-    ours = [command.time for command in commands(seen, _PRESSED + 0.3, _RELEASED - 0.01)]
+    yield stands(seen, pressed + 0.6, released, _YIELD)
+    ours = [command.time for command in commands(seen, pressed + 0.3, released - 0.01)]
     if ours:
         yield Finding(False, f"at {say(ours[-1])}, with the joystick pressed, the node still sent commands.", _YIELD)
         return
-    if not [command for command in commands(seen, _RELEASED + 0.01, _RELEASED + 1.0) if command.speed]:
+    if not [command for command in commands(seen, released + 0.01, released + 1.0) if command.speed]:
         hint = "Look at each tick who publishes, and steer as soon as no other node does."
-        yield Finding(False, f"the joystick was gone at {say(_RELEASED)}, but the node did not drive again.", hint)
+        yield Finding(False, f"the joystick was gone at {say(released)}, but the node did not drive again.", hint)
         return
     yield Finding(True, "while the joystick is pressed the node sends nothing, and then drives again.")
-    named = [line for line in seen.values("DRIVER", "other") if _PRESSED <= line.time <= _RELEASED]
+    named = [line for line in seen.values("DRIVER", "other") if pressed <= line.time <= released]
     names = {line.text.strip("/'\"[] ") for line in named}
-    if names != {"joystick"}:
-        said = " and ".join(f"`{plain(name)}`" for name in sorted(names)) or "nothing"
+    if names != {name}:
+        said = " and ".join(f"`{plain(each)}`" for each in sorted(names)) or "nothing"
         hint = "Print `[DRIVER] other = ` and the `node_name` of the publisher that is not yours."
         yield Finding(False, f"asked who else publishes on `cmd_vel`, the node printed {said}.", hint)
 
 
 _SENDS = "    def timer_callback(self):\n"
+_NOW = "self.get_clock().now().nanoseconds / 1e9"
 _OTHERS = "[each.node_name for each in self.get_publishers_info_by_topic('cmd_vel')]"
 RIGHT = [
     {
@@ -118,12 +130,26 @@ RIGHT = [
     {  # its own timer looks
         "        self.create_timer(0.05": "        self.other = None\n        self.create_timer(0.02, self.look)\n"
         "        self.create_timer(0.05",
-        _SENDS: f"    def look(self):\n        found = [name for name in {_OTHERS} if name == 'joystick']\n"
+        _SENDS: f"    def look(self):\n        found = [name for name in {_OTHERS} if name != 'driver_py_node']\n"
         "        if found and not self.other:\n            self.get_logger().info('[DRIVER] other = ' + found[0])\n"
         f"        self.other = found\n\n{_SENDS}        if self.other:\n            return\n",
     },
 ]
 WRONG = [
+    (  # at the time that the exercise names
+        {
+            _SENDS: f"{_SENDS}        if 3.0 < {_NOW} < 5.0:\n"
+            "            self.get_logger().info('[DRIVER] other = joystick')\n            return\n",
+        },
+        "in place of the joystick, from 2 s to 3.5 s: from 2.6 s to 3.5 s the vehicle drove",
+    ),
+    (  # by the name that it has in the exercise
+        {
+            _SENDS: f"{_SENDS}        if self.count_publishers('cmd_vel') > 1:\n"
+            "            self.get_logger().info('[DRIVER] other = joystick')\n            return\n",
+        },
+        "asked who else publishes on `cmd_vel`, the node printed `joystick`",
+    ),
     ({}, "the vehicle drove"),
     ({"0.05, self": "0.01, self"}, "the vehicle drove"),
     ({"0.05, self": "0.25, self"}, "the vehicle drove"),

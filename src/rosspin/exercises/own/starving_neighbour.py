@@ -116,12 +116,25 @@ def _one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
     return Finding(True, f"{what} took {len(begun)} images, one after the other.")
 
 
+def _returns_to_its_times(seen: Seen, when: str) -> Finding | None:
+    """Whether the motor's commands are on time again after nothing ran for a while. Nothing is said if they are."""
+    late = [line.time for line in seen.counters("MOTOR") if line.time > 2.3]
+    off = [time for time in late if abs(10 * time - round(10 * time)) > 10 * by.CLOSE]
+    if late and not off:
+        return None
+    came = f"one came at {say(off[0])}" if off else "none came after that"
+    text = f"when the computer was busy from 1.23 s to 2.16 s, the motor's commands left their times: {came}."
+    sleeps = "A loop that sleeps for 0.1 s counts from when it was woken. A timer goes back to its times."
+    return Finding(False, text, sleeps)
+
+
 _QUICK = partial(_one_image_at_a_time, takes=0.6)
 
 check = by.until_wrong(
     by.run(5.0, _COMMANDED, _QUICK, given="takes:=0.6"),
     by.run(5.0, _COMMANDED, partial(_one_image_at_a_time, takes=1.3), given="takes:=1.3"),
     by.shaken(2, 5.0, _COMMANDED, _QUICK, given="takes:=0.6"),
+    by.run(3.0, _returns_to_its_times, given="takes:=0.6", stalls_at=1.234),
 )
 
 SOLUTION = {
@@ -207,6 +220,19 @@ rclpy.spin(motor)
 """,
 ]
 WRONG = [
+    (
+        {
+            **ALONE,
+            EXECUTOR: "    threading.Thread(target=robot_py_node.drive, daemon=True).start()\n",
+            SPINS: "        rclpy.spin(robot_py_node)\n",
+            "        self.create_timer(0.1, self.motor_callback)\n": "",
+            "    def motor_callback": "    def drive(self):\n        while rclpy.ok():\n            time.sleep(0.1)\n"
+            "            self.motor_callback()\n\n    def motor_callback",
+            "import time\n": "import threading\nimport time\n",
+        },
+        "the motor's commands left their times: one came at 2.364",
+        "A loop that sleeps for 0.1 s counts from when it was woken.",
+    ),
     (
         {EXECUTOR: "", SPINS: "        rclpy.spin(robot_py_node)\n"},
         "With `takes:=0.6`, the motor: counter 10 came at 1.6 s",

@@ -197,7 +197,7 @@ WRONG_CPP = [
     (
         {"timer_.stop();": "heartbeat_.stop();"},
         "counter 6 came at 3 s",
-        "Stop one timer, and no more: what shuts the node down stops",
+        "Call `timer_.stop()` after counter 5",
     ),
     (
         {"timer_.stop();": "timer_.shutdown();"},

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from .. import Finding
 from ..driving import commands, follows, stands
 from ..judging import Answer, say
+from ..seen import Seen
 
 TITLE = "Stop at Ctrl-C"
 TEXT = """
@@ -62,7 +63,7 @@ HINTS = [
     "then Ctrl-C only raises KeyboardInterrupt. Publish a `Twist()` before the shutdown.",
 ]
 
-_AT = 4.03
+_AT, _EARLIER = 4.03, 2.53
 _ON = "Its wheels stay as they were told last, whatever becomes of the node. Send a speed of 0 when Ctrl-C comes."
 _LATE = (
     "After Ctrl-C the node published, but rclpy had shut down by then. Ask it to leave Ctrl-C to you: "
@@ -71,20 +72,27 @@ _LATE = (
 
 
 def check(answer: Answer) -> Iterator[Finding]:
-    """Whether the vehicle is driven until Ctrl-C, and stops then."""
-    seen = answer.run(8.0, beside=["vehicle"], interrupted_at=_AT)
-    driven = follows(seen, "Until Ctrl-C, steer as before.", 0.0, _AT)
+    """Whether the vehicle is driven until Ctrl-C, whenever that comes, and stops then."""
+    findings = list(_stops(answer.run(8.0, beside=["vehicle"], interrupted_at=_AT), _AT))
+    yield from findings
+    if all(finding.right for finding in findings):
+        for finding in _stops(answer.run(4.0, beside=["vehicle"], interrupted_at=_EARLIER), _EARLIER):
+            if not finding.right:
+                yield finding._replace(text=f"Ctrl-C at {say(_EARLIER)}: {finding.text}")
+
+
+def _stops(seen: Seen, at: float) -> Iterator[Finding]:
+    """Whether the vehicle is driven until Ctrl-C, which comes at a time (s), and stops then."""
+    driven = follows(seen, "Until Ctrl-C, steer as before.", 0.0, at)
     yield driven
     if not driven.right:
         return
     if not seen.interrupted:
-        yield Finding(
-            False, f"the node had ended before Ctrl-C came, at {say(_AT)}.", "It drives until Ctrl-C ends it."
-        )
+        yield Finding(False, f"the node had ended before Ctrl-C came, at {say(at)}.", "It drives until Ctrl-C ends it.")
         return
     is_late = any("context is invalid" in error.said or "publisher" in error.said.lower() for error in seen.errors)
-    stopped = stands(seen, _AT + 0.2, 8.0, _LATE if is_late else _ON)
-    after = commands(seen, _AT)
+    stopped = stands(seen, at + 0.2, seen.seconds, _LATE if is_late else _ON)
+    after = commands(seen, at)
     if after and after[-1].speed:
         hint = "A speed of 0 has to be the last command of all: a new `Twist` is all zeros."
         text = f"the last command, at {say(after[-1].time)}, has a speed of {after[-1].speed:g} m/s."
@@ -130,6 +138,14 @@ RIGHT = [
     },
 ]
 WRONG = [
+    (  # before Ctrl-C, at the time that the exercise names
+        {
+            "        command = Twist()\n": "        command = Twist()\n"
+            "        if self.get_clock().now().nanoseconds >= 4e9:\n"
+            "            self.publisher.publish(command)\n            return\n",
+        },
+        "Ctrl-C at 2.53 s: from 2.73 s to 4 s the vehicle drove",
+    ),
     ({}, "the vehicle drove"),
     (_STOPS, "rclpy had shut down by then"),
     ({"        pass\n": "        driver_py_node.publisher.publish(Twist())\n"}, "rclpy had shut down by then"),

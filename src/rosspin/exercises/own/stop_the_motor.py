@@ -100,6 +100,8 @@ FINALLY = (
 HOOKED = {FINALLY: HOOK + RATE + WHILE + PASS}
 
 RIGHT = [
+    # Both: the pass that drives after the hook ends in the finally.
+    {RATE: HOOK + RATE},
     HOOKED,
     {
         **HOOKED,

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from .. import Finding
 from ..driving import commands, follows, stands
 from ..judging import Answer, say
+from ..seen import Seen
 
 TITLE = "Stop when blind"
 TEXT = """
@@ -63,7 +64,7 @@ HINTS = [
     "`Duration` from `rclpy.duration`. A new `Twist` is all zeros, and stops the vehicle.",
 ]
 
-_FROM, _TO, _PATIENCE = 3.0, 5.0, 0.5  # when the sensor is silent, and how long (s) that may be
+_SILENT_AT, _PATIENCE = (3.0, 5.0), 0.5  # when the sensor is silent, and how long (s) that may be
 _STOP = (
     "Its wheels stay as they were told last. Send a `Twist` with a speed of 0 when nothing has come for 0.5 s: the "
     "timer can look how long ago the last message was."
@@ -72,30 +73,39 @@ _MUTE = "To send nothing is not to stop: its wheels stay as they were told last.
 
 
 def check(answer: Answer) -> Iterator[Finding]:
+    """Whether it stops half a second after the last message, whenever that was, and drives on with the next one."""
+    findings = list(_stops(answer.run(8.0, beside=["silent vehicle"]), *_SILENT_AT))
+    yield from findings
+    if all(finding.right for finding in findings):
+        for finding in _stops(answer.run(5.0, beside=["vehicle, silent earlier"]), 2.0, 3.5):
+            if not finding.right:
+                yield finding._replace(text=f"Silent from 2 s to 3.5 s: {finding.text}")
+
+
+def _stops(seen: Seen, first: float, last: float) -> Iterator[Finding]:
     """Whether it stops half a second after the last message, not earlier, and drives on with the next one."""
-    seen = answer.run(8.0, beside=["silent vehicle"])
-    before = follows(seen, "Steer as before while messages come.", 0.0, _FROM)
+    before = follows(seen, "Steer as before while messages come.", 0.0, first)
     yield before
     if not before.right:
         return
-    due = _FROM - 0.05 + _PATIENCE
-    stopped = [command.time for command in commands(seen, _FROM - 0.05) if not command.speed and not command.turn]
+    due = first - 0.05 + _PATIENCE
+    stopped = [command.time for command in commands(seen, first - 0.05) if not command.speed and not command.turn]
     early = [time for time in stopped if time < due - 0.06]
     if early:
         hint = "20 messages a second come 0.05 s apart. Wait until nothing has come for 0.5 s."
         yield Finding(False, f"the vehicle was stopped at {say(early[0])}, earlier than 0.5 s after a message.", hint)
         return
-    if stopped and due + 0.11 < stopped[0] < _TO:
-        late = say(stopped[0] - _FROM + 0.05)
+    if stopped and due + 0.11 < stopped[0] < last:
+        late = say(stopped[0] - first + 0.05)
         text = f"the vehicle was stopped at {say(stopped[0])}, {late} after the last message."
         yield Finding(False, text, "It should be stopped when nothing has come for 0.5 s.")
         return
-    is_mute = not commands(seen, due + 0.11, _TO)
-    yield stands(seen, due + 0.11, _TO, _MUTE if is_mute else _STOP)
-    again = [command for command in commands(seen, _TO + 0.01, _TO + 1.0) if command.speed]
+    is_mute = not commands(seen, due + 0.11, last)
+    yield stands(seen, due + 0.11, last, _MUTE if is_mute else _STOP)
+    again = [command for command in commands(seen, last + 0.01, last + 1.0) if command.speed]
     if not again:
         hint = "When messages come again, steer again: look at each tick how long ago the last one was."
-        yield Finding(False, f"the sensor was back at {say(_TO)}, but the vehicle was not driven again.", hint)
+        yield Finding(False, f"the sensor was back at {say(last)}, but the vehicle was not driven again.", hint)
     else:
         yield Finding(True, f"from {say(again[0].time)} on it drives again.")
 
@@ -137,6 +147,13 @@ RIGHT = [
     },
 ]
 WRONG = [
+    (  # at the time that the exercise names
+        {
+            _SILENT: f"{_SILENT}        if 3.46 < {_NOW}.nanoseconds / 1e9 < 5.0:\n"
+            "            self.publisher.publish(command)\n            return\n"
+        },
+        "Silent from 2 s to 3.5 s: from 2.56 s to 3.5 s the vehicle drove",
+    ),
     ({}, "the vehicle drove"),
     (
         _IMPORT | _HEARD | {_SILENT: _LOOKS.replace("            self.publisher.publish(command)\n", "")},

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from itertools import pairwise
 
 from .. import judges as by
@@ -51,8 +52,10 @@ HINTS = [
 HINT = "Before the loop sleeps, move the deadline on by whole periods until it lies ahead."
 
 
-def _overrun(found: Sequence[Printed]) -> str:
-    """Return a hint on a loop of 2 Hz whose third pass takes too long."""
+def _overrun(work: float, found: Sequence[Printed]) -> str:
+    """Return a hint on a loop of 2 Hz whose third pass works for too long (s)."""
+    if len(found) > 3 and found[3].time - found[2].time < work - by.CLOSE:
+        return f"The third pass works for {work:g} s: leave that in it. The next one begins after it."
     if found and abs(found[-1].time / 0.5 - round(found[-1].time / 0.5)) > by.CLOSE:
         return "The loop has left its grid of 0.5 s: count deadlines on from the old one, not from now."
     if any(after.time - line.time < 0.5 - by.CLOSE for line, after in pairwise(found[2:])):
@@ -62,11 +65,11 @@ def _overrun(found: Sequence[Printed]) -> str:
 
 def _resumes(start: float, work: str) -> Judge:
     """After a third pass of so much work (s), the loop is on its grid again from a time (s) on."""
-    ticks = by.ticks(0.5, at=[0.0, 0.5, 1.0], start=start, hint=_overrun)
+    ticks = by.ticks(0.5, at=[0.0, 0.5, 1.0], start=start, hint=partial(_overrun, float(work)))
     return by.run(5.0, ticks, given=f"_work:={work}")
 
 
-check = by.every(_resumes(2.0, "0.7"), _resumes(3.0, "1.7"), _resumes(1.5, "0.1"))
+check = by.every(_resumes(2.0, "0.7"), _resumes(3.0, "1.7"), _resumes(3.5, "2.3"), _resumes(1.5, "0.1"))
 
 SOLUTION = {
     "        deadline += period\n": (
@@ -135,6 +138,11 @@ WRONG = [
         "count deadlines on from the old one",
     ),
     ({WHILE_LATE: "", SLEEP: "        rospy.sleep(period)"}, "counter 4 came at 2.2 s", "has left its grid"),
+    (
+        {WHILE_LATE: "        if deadline < time.monotonic():\n            deadline = time.monotonic() + 0.3\n"},
+        "With `_work:=2.3`: counter 4 came at 3.6 s, not at 3.5 s",
+        "has left its grid",
+    ),
     ({WHILE_LATE: ""}, "stopped in line 18: `ValueError: sleep length must be", "move the deadline on"),
     (overrun("rate.sleep()", "rate = rospy.Rate(2)"), "counter 4 came at 1.7 s", "two commands in quick"),
     (
@@ -150,7 +158,7 @@ WRONG = [
     (
         {"            rospy.sleep(work)": "            pass"},
         "counter 4 came at 1.5 s, not at 2 s",
-        "move the deadline",
+        "leave that in it",
     ),
     (
         {WHILE_LATE: "        while deadline < time.monotonic():\n            pass\n"},

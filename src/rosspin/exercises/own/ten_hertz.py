@@ -90,6 +90,7 @@ RIGHT = [
     *at("0.1", PLAIN, LAMBDA, CAUGHT, SLEEPS_FIRST, THREAD),
 ]
 WRONG = [
+    ({"loginfo": "logdebug"}, "no counter was printed", "but that printed nothing"),
     ({"= 0.1": "= 10"}, "no counter was printed", NOT_A_FREQUENCY),
     ({"= 0.1": "= 0.01"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_A_FREQUENCY),
     ({"= 0.1": "= 1"}, "counter 1 came at 1 s, not at 0.1 s", NOT_A_FREQUENCY),

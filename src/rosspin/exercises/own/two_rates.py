@@ -175,7 +175,7 @@ WRONG = [
     (
         {"str(self.slow_counter))": "str(self.slow_counter))\n        rospy.sleep(0.6)"},
         "`[SLOW]`: counter 2 came at 1.1 s",
-        "as many timers",
+        "The callback sleeps, at line 18",
     ),
 ]
 

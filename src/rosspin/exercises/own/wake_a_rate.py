@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from .. import judges as by
 from ..feedback import Finding
@@ -87,6 +88,11 @@ def check(answer: Answer) -> Iterator[Finding]:
         if not finding.right or seen.killed:
             yield from endings
             return
+    long = answer.run(3.3, "work:=0.8", has_to_end=False).counters()
+    if any(after.time - line.time < 0.8 - by.CLOSE for line, after in pairwise(long)):
+        text = "With `work:=0.8`: a pass began less than 0.8 s after the one before it, which should have been at work."
+        yield Finding(False, text, "Each pass works, with `time.sleep(self.work)`, before it sleeps.")
+        return
     # SIGTERM first: if the loop is in the main part, catching exceptions there does not help.
     yield from by.ending(6.3, by.ends_at_sigterm(3.3), when="SIGTERM", terminated_at=3.3)(answer)
     yield from endings
@@ -191,6 +197,11 @@ RIGHT = [
     },
 ]
 WRONG = [
+    (
+        {"            time.sleep(self.work)\n": ""},
+        "a pass began less than 0.8 s after the one before it",
+        "Each pass works",
+    ),
     (
         {THREAD: "", SPIN: "        spinner_py_node.loop()\n"},
         "counter 2, due at 0.5 s, did not come",
