@@ -131,7 +131,7 @@ lab: $(VENV:=-for-lab) $(NPM)
 	"$(BIN)/jupyter" lab --LabApp.app_settings_dir=lab --LabApp.default_url=/lab/tree/notebooks $(ARGS)
 
 bench: $(VENV:=-for-test)
-	"$(BIN)/python" benchmarks
+	"$(BIN)/python" -m benchmarks
 
 $(VENV): pyproject.toml pins/html.txt
 	@"$(PYTHON)" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
@@ -184,12 +184,12 @@ build/ros2$(OTHER)/made: pins/ros2$(OTHER).txt | $(VENV)
 
 # Recorded again, on the real ROS 1 and 2: the runs that pages show where none is installed.
 record: $(VENV)
-	"$(BIN)/python" benchmarks/record.py
-	"$(BIN)/python" benchmarks/record_ros2.py
+	"$(BIN)/python" -m benchmarks.record
+	"$(BIN)/python" -m benchmarks.record_ros2
 
 # From the pinned rosbags: the message definitions that rosspin carries.
 definitions: $(VENV:=-for-test)
-	"$(BIN)/python" benchmarks/definitions.py
+	"$(BIN)/python" -m benchmarks.definitions
 
 # New pins, on purpose: the newest releases that go together, on all Pythons from 3.11 and all systems, with the hashes of
 # all their files. What the site needs has the same releases as what its tests need.

@@ -11,10 +11,10 @@ from pathlib import Path
 from statistics import median
 from uuid import uuid4
 
-from ratios import by_turns, line, ratio
-from ticks import in_simpy
-
 from rosspin import simulate
+
+from .ratios import by_turns, line, ratio
+from .ticks import in_simpy
 
 ROSPY = """\
 import rospy

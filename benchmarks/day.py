@@ -11,9 +11,9 @@ from multiprocessing import get_context
 from pathlib import Path
 from statistics import median
 
-from ratios import by_turns, line
-
 from rosspin import Run, simulate
+
+from .ratios import by_turns, line
 
 NODE = Path(__file__).parent.parent / "examples" / "my_robotics_pkg" / "src" / "spinner_py_node.py"
 PERIOD = 0.5

@@ -5,10 +5,10 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator, Sequence
 
-from ratios import line
-
 from rosspin import measure, rospy
 from rosspin.measures import quantile, say_time
+
+from .ratios import line
 
 # Hz and seconds of a turn: each makes ticks enough for a 99th percentile, the slowest barely.
 TURNS = ((2, 5.0), (50, 2.0), (500, 1.0))

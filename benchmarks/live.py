@@ -12,12 +12,13 @@ from pathlib import Path
 from statistics import median
 from urllib.parse import unquote, urlsplit
 
-from in_chromium import launched, served
 from playwright.sync_api import Browser, FilePayload, Page, Request
-from ratios import Times, line, ratio
 
 from rosspin.doctor import chromium
 from rosspin.measures import quantile, say_time
+
+from .in_chromium import launched, served
+from .ratios import Times, line, ratio
 
 ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "html"

@@ -10,14 +10,14 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from planted_orders import PLANTS
-from ratios import by_turns, line, ratio
-
 from rosspin import explore, rospy
 from rosspin.clocks.explored import ExploredSimulation, Order
 from rosspin.clocks.simulation import Simulation
 from rosspin.run.simulate import prepare, run_prepared
 from rosspin.world.graph import TickLog
+
+from .planted_orders import PLANTS
+from .ratios import by_turns, line, ratio
 
 NS = 1_000_000_000
 

@@ -23,7 +23,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-from oracles import stub, without
+from .oracles import stub, without
 
 
 def real_rclpy() -> Path | None:

@@ -1,6 +1,6 @@
 """Record a fixed set of runs on the real ROS 1 into examples/recordings, each with its provenance.
 
-`make record` runs all of it, `python benchmarks/record.py NAME...` what is named. One run at a time, so that they do
+`make record` runs all of it, `python -m benchmarks.record NAME...` what is named. One run at a time, so that they do
 not disturb each other; what else the machine is doing is on record as its load.
 """
 
@@ -21,13 +21,13 @@ from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from arrivals import Arrivals
-from provenance import table, write_provenance
-
 from rosspin import simulate
 from rosspin.real import ros1
 from rosspin.results.recordings import COLUMNS
 from rosspin.results.saving import save_whole
+
+from .arrivals import Arrivals
+from .provenance import table, write_provenance
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 RECORDINGS = EXAMPLES / "recordings"

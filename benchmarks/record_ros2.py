@@ -1,6 +1,6 @@
 """Record a fixed set of runs on the real ROS 2 into examples/recordings/ros2, each with its provenance.
 
-`make record` runs all of it, `python benchmarks/record_ros2.py NAME...` what is named. What is timed runs alone; the
+`make record` runs all of it, `python -m benchmarks.record_ros2 NAME...` what is named. What is timed runs alone; the
 endings and signals, whose times do not matter, some at a time. What is in C++ is recorded where CMake finds rclcpp.
 """
 
@@ -23,15 +23,15 @@ from pathlib import Path
 from statistics import median
 from typing import Any, NamedTuple
 
-from arrivals import Arrivals
-from provenance import table, write_provenance
-from rclcpp_nodes import build, compiler, missing, read_ticks
-
 from rosspin import Tick, simulate
 from rosspin.clocks.ctrl_c import Ending
 from rosspin.real import ros2
 from rosspin.results.recordings import COLUMNS
 from rosspin.results.saving import save_whole
+
+from .arrivals import Arrivals
+from .provenance import table, write_provenance
+from .rclcpp_nodes import build, compiler, missing, read_ticks
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
 TOPICS = Path(__file__).parents[1] / "examples" / "topics" / "ros2"

@@ -8,11 +8,11 @@ import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ratios import line
-
 from rosspin import simulate
 from rosspin.measures import quantile, say_time
 from rosspin.real import ros1
+
+from .ratios import line
 
 ROOT = Path(__file__).parents[1]
 PROBES = ROOT / "examples" / "timing_probes"

@@ -9,10 +9,10 @@ import time
 from collections.abc import Callable, Iterator
 from statistics import median
 
-from ratios import by_turns, line, ratio
-from rclpy_oracle import on_the_oracle, real_rclpy
-
 from rosspin import rclpy, rospy, simulate
+
+from .ratios import by_turns, line, ratio
+from .rclpy_oracle import on_the_oracle, real_rclpy
 
 PERIOD = 0.5
 

@@ -6,10 +6,10 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ratios import line
-
 from rosspin.measures import quantile, say_time
 from rosspin.real import ros2
+
+from .ratios import line
 
 # Calls back so often, and prints how late (s) each call was: of the period, what had passed when it came.
 _NODE = """

@@ -10,7 +10,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from ratios import line
+from .ratios import line
 
 ROOT = Path(__file__).parent.parent
 

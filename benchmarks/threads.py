@@ -7,9 +7,9 @@ import time
 from collections.abc import Iterator
 from statistics import median
 
-from ratios import by_turns, line, ratio
-
 from rosspin import simulate
+
+from .ratios import by_turns, line, ratio
 
 
 def report(pairs: int = 200_000, few: int = 100, many: int = 10_000, rounds: int = 7) -> Iterator[str]:

@@ -8,11 +8,12 @@ from functools import partial
 from statistics import median
 
 import simpy
-from ratios import by_turns, line, ratio
 
 from rosspin import rospy, simulate
 from rosspin.clocks.simulation import Simulation
 from rosspin.clocks.stacks import Program
+
+from .ratios import by_turns, line, ratio
 
 NS = 1_000_000_000
 

@@ -8,9 +8,9 @@ from functools import partial
 from statistics import median
 from typing import Any
 
-from ratios import by_turns, line, ratio
-
 from rosspin import rospy, simulate
+
+from .ratios import by_turns, line, ratio
 
 PERIOD = 0.001
 

@@ -14,15 +14,15 @@ from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, settings
-from seeds import SEED
-from settle import settle
-from shares import SHARE, is_left_out
-from simulated_only import simulated_only
-from surroundings import clean, heed_ctrl_c
-from tree import DOCTREES, ROOT, SITE, TESTS
 
 from rosspin.clocks.ctrl_c import Ending
 from rosspin.results.saving import save_whole
+from tests.helpers.seeds import SEED
+from tests.helpers.settle import settle
+from tests.helpers.shares import SHARE, is_left_out
+from tests.helpers.simulated_only import simulated_only
+from tests.helpers.surroundings import clean, heed_ctrl_c
+from tests.helpers.tree import DOCTREES, ROOT, SITE, TESTS
 
 # Seconds that each file of tests took once, by its path below tests/; and those of this run.
 DURATIONS: dict[str, float] = json.loads((TESTS / "durations.json").read_text(encoding="utf-8"))

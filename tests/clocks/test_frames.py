@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy
 import pytest
-from places import SITE, looking_for_packages_in
 
 from rosspin.clocks.frames import places, trail
 from rosspin.clocks.installed import is_installed_file, note_own
+from tests.helpers.places import SITE, looking_for_packages_in
 
 
 class Context:

@@ -11,8 +11,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from seeds import SEED
-from tree import ROOT
+
+from tests.helpers.seeds import SEED
+from tests.helpers.tree import ROOT
 
 NODES = 100
 SECONDS = 1.5

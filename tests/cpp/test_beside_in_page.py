@@ -6,10 +6,10 @@ import re
 from pathlib import Path
 
 import pytest
-from page_python import launch_job, said, together_job
-from tree import EXAMPLES
 
 from rosspin import simulate
+from tests.helpers.page_python import launch_job, said, together_job
+from tests.helpers.tree import EXAMPLES
 
 pytestmark = pytest.mark.shares(3)
 

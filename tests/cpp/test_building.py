@@ -11,12 +11,12 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from tree import ROOT
 
 from rosspin.cpp import CompileError, build, build_together, building
 from rosspin.cpp.building import _alone
 from rosspin.site import compiling
 from rosspin.site.compiling import _begin, _nodes
+from tests.helpers.tree import ROOT
 
 NODE = ROOT / "examples/my_robotics_pkg/src/spinner_cpp_node.cpp"
 

@@ -8,13 +8,13 @@ from typing import Any
 
 import pytest
 from pygments.token import Comment, Keyword, Token
-from shells import ipython_shell
-from tree import ROOT
 
 from rosspin.cpp import CompileError
 from rosspin.run.kinds import written_in
 from rosspin.site.checks import _line_of
 from rosspin.site.pages import CellLexer
+from tests.helpers.shells import ipython_shell
+from tests.helpers.tree import ROOT
 
 NODES = {
     1: ROOT / "examples/my_robotics_pkg/src/spinner_cpp_node.cpp",

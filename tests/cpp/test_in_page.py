@@ -6,13 +6,13 @@ import shlex
 from pathlib import Path
 
 import pytest
-from cpp_in_page import in_page, is_like
-from tree import ROOT
 
 from rosspin import simulate
 from rosspin.cpp import build, lean
 from rosspin.cpp.building import node_command
 from rosspin.measures import by_source, describe_timeline, lost_by_source
+from tests.helpers.cpp_in_page import in_page, is_like
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

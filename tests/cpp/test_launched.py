@@ -7,9 +7,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tree import ROOT
 
 from rosspin import simulate
+from tests.helpers.tree import ROOT
 
 Write = Callable[[str, str], Path]
 

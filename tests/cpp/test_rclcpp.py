@@ -8,14 +8,14 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from cpp_in_page import scenarios_are_like
-from cpp_probes import differences
-from cpp_scenarios import FOLDER, SECONDS, compared, recorded
-from rclcpp_nodes import read_ticks
-from tree import ROOT
 
+from benchmarks.rclcpp_nodes import read_ticks
 from rosspin import NotSimulated, simulate
 from rosspin.results.recordings import load
+from tests.helpers.cpp_in_page import scenarios_are_like
+from tests.helpers.cpp_probes import differences
+from tests.helpers.cpp_scenarios import FOLDER, SECONDS, compared, recorded
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

@@ -9,15 +9,15 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from cpp_in_page import scenarios_are_like
-from cpp_probes import differences
-from cpp_scenarios import FOLDER, SECONDS, compared, recorded, words
-from tree import ROOT
 
 from rosspin import NotSimulated, TimeStandsStill, simulate
 from rosspin.cpp import nodejs
 from rosspin.faults import Service
 from rosspin.results.recordings import load
+from tests.helpers.cpp_in_page import scenarios_are_like
+from tests.helpers.cpp_probes import differences
+from tests.helpers.cpp_scenarios import FOLDER, SECONDS, compared, recorded, words
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

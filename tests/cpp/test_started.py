@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from tree import ROOT
 
 import rosspin
 from rosspin.faults import Crash, Topic
+from tests.helpers.tree import ROOT
 
 PACKAGES = {1: "my_robotics_pkg", 2: "my_robotics_pkg_ros2_cpp"}
 EVERY = pytest.mark.parametrize("ros", [1, 2])

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 
 import pytest
-from answers import TASKS
-from tree import ROOT
 
 from rosspin.exercises import check, judge, trace, verdict
 from rosspin.exercises.own import FAULTS, Answer, Lesson
+from tests.helpers.answers import TASKS
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

@@ -10,7 +10,17 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import (
+from IPython.core.error import UsageError
+from IPython.core.interactiveshell import InteractiveShell
+
+from rosspin import Run, explore, simulate
+from rosspin.exercises import EXERCISES, check
+from rosspin.exercises.own import Answer, name_the_fault, rostopic_hz
+from rosspin.measures import periods, topic_ticks
+from rosspin.measures import rostopic_hz as rostopic_hz_of
+from rosspin.results.console import read_ticks
+from rosspin.results.recordings import load
+from tests.helpers.answers import (
     CELLS,
     FILES,
     LATE,
@@ -26,18 +36,8 @@ from answers import (
     solution_of,
     written,
 )
-from IPython.core.error import UsageError
-from IPython.core.interactiveshell import InteractiveShell
-from python_texts import of_any_python
-from tree import ROOT
-
-from rosspin import Run, explore, simulate
-from rosspin.exercises import EXERCISES, check
-from rosspin.exercises.own import Answer, name_the_fault, rostopic_hz
-from rosspin.measures import periods, topic_ticks
-from rosspin.measures import rostopic_hz as rostopic_hz_of
-from rosspin.results.console import read_ticks
-from rosspin.results.recordings import load
+from tests.helpers.python_texts import of_any_python
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from answers import IN_CPP, NOTEBOOKS
 
 from rosspin.exercises import check, judge, trace
 from rosspin.exercises.own import Answer
+from tests.helpers.answers import IN_CPP, NOTEBOOKS
 
 pytestmark = pytest.mark.shares(3)
 

@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, NAMES, answer_in, number_of
 
 from rosspin.exercises import EXERCISES, Misfit, check, judge, trace
 from rosspin.exercises.traces import LONGEST
+from tests.helpers.answers import CELLS, NAMES, answer_in, number_of
 
 pytestmark = pytest.mark.shares(3)
 

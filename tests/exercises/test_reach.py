@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from answers import CELLS, NAMES, answer_in, written
-from answers import RIGHT as RIGHT_ANSWERS
-from answers import WRONG as WRONG_ANSWERS
 
 from rosspin.exercises.reach import reaches_for
+from tests.helpers.answers import CELLS, NAMES, answer_in, written
+from tests.helpers.answers import RIGHT as RIGHT_ANSWERS
+from tests.helpers.answers import WRONG as WRONG_ANSWERS
 
 
 @pytest.mark.parametrize(

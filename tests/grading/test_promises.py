@@ -6,11 +6,11 @@ import re
 from textwrap import dedent, indent
 
 import pytest
-from tree import ROOT, TESTS
 
 from rosspin import hand_ins
 from rosspin.grading import sealed, worker
 from rosspin.grading.filtered import _PROCESSORS
+from tests.helpers.tree import ROOT, TESTS
 
 PAGE = (ROOT / "docs/how-to/judge-hand-ins.rst").read_text(encoding="utf-8")
 HELD_IN = "\n".join(

@@ -9,11 +9,11 @@ import sys
 import unicodedata
 
 import pytest
-from tree import ROOT
 
 from rosspin.exercises import Verdict
 from rosspin.hand_ins.reports import PAGE_PYTHON, as_csv, as_data, as_words, hard, say_python, say_unsealed, write_csv
 from rosspin.hand_ins.students import Class, Row
+from tests.helpers.tree import ROOT
 
 
 def a_class(*rows: tuple[str, dict[str, Verdict]]) -> Class:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from types import SimpleNamespace
 
-from tree import ROOT
-
 from rosspin.exercises import EXERCISES
 from rosspin.exercises.own import LESSONS, Answer
+
+from .tree import ROOT
 
 NAMES = [exercise.name for exercise in EXERCISES if exercise.part]  # a teacher's own have answers of their own
 

@@ -11,7 +11,7 @@ from collections.abc import Collection
 from pathlib import Path
 from shlex import quote
 
-from tree import ROOT
+from .tree import ROOT
 
 HOW_TO = (ROOT / "docs/how-to/adapt-a-page.rst").read_text(encoding="utf-8")
 COMMANDS = re.findall(r"^ +\$ (.*)", HOW_TO, re.MULTILINE)

@@ -10,9 +10,10 @@ import json
 from functools import cache
 from typing import Any
 
-from looks import look
 from playwright.sync_api import Page
-from tree import ROOT
+
+from .looks import look
+from .tree import ROOT
 
 # The rules that are about colours; what the others find is the same in light and in dark.
 COLOURS = ("color-contrast", "link-in-text-block")

@@ -6,7 +6,7 @@ import subprocess
 import sys
 from typing import Any
 
-from tree import ROOT
+from .tree import ROOT
 
 _SOURCES = ROOT / "examples" / "my_robotics_pkg" / "src"
 TIMER_NODE, RATE_NODE = str(_SOURCES / "spinner_py_node.py"), str(_SOURCES / "spinner_rate_py_node.py")

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import NamedTuple
 from unittest import mock
 
-from outcomes import CTRL_C, Outcome, differences, outcome
-
 from rosspin import simulate
+
+from .outcomes import CTRL_C, Outcome, differences, outcome
 
 LONGEST = 12.0  # s of a scenario that ends by itself
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-import expectations
 import pytest
-from corpus import Scenario, closest, recorded, simulated
-from ledger import Ledger
-from outcomes import JITTER, differences
+
+from . import expectations
+from .corpus import Scenario, closest, recorded, simulated
+from .ledger import Ledger
+from .outcomes import JITTER, differences
 
 LEDGER = Ledger.read()
 

@@ -13,11 +13,6 @@ from itertools import groupby
 from pathlib import Path
 from typing import NamedTuple
 
-from corpus import Args
-from outcomes import Outcome, differences, outcome
-from runtimes import kept
-from tree import TESTS
-
 from rosspin import Node
 from rosspin.clocks.simulation import Simulation
 from rosspin.real import ros2
@@ -25,6 +20,11 @@ from rosspin.real.children import shell_status
 from rosspin.run.roslaunch import launch
 from rosspin.run.simulate import run_nodes
 from rosspin.run.streams import capture
+
+from .corpus import Args
+from .outcomes import Outcome, differences, outcome
+from .runtimes import kept
+from .tree import TESTS
 
 __all__ = ["LEDGER", "PAIRS", "PAIR_LIST", "Pair", "differing", "read", "recorded", "run", "simulated"]
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from corpus import LONGEST, Args, Scenario, given, scenarios
-from tree import TESTS
+from .corpus import LONGEST, Args, Scenario, given, scenarios
+from .tree import TESTS
 
 __all__ = ["LONGEST", "SCENARIOS", "SCENARIO_LIST", "Scenario"]
 

@@ -9,12 +9,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from cpp_scenarios import FOLDER, SECONDS, recorded
-from tree import ROOT
-
 from rosspin import Run, simulate
 from rosspin.cpp import build, lean
 from rosspin.cpp.building import node_command
+
+from .cpp_scenarios import FOLDER, SECONDS, recorded
+from .tree import ROOT
 
 PAGE = ROOT / "tests/helpers/programs_in_page.mjs"
 COLOURS = re.compile(r"\x1b\[[\d;]*m")

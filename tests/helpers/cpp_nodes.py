@@ -9,10 +9,10 @@ import shutil
 import tempfile
 from pathlib import Path
 
-from answers import listings
-from tree import ROOT
-
 from rosspin.real.ros1 import Workspace
+
+from .answers import listings
+from .tree import ROOT
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from tree import ROOT
+from .tree import ROOT
 
 FOLDER = ROOT / "tests" / "scenarios_cpp"
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from answers import CELLS, answer_in, number_of
-from listings_in_page import lines_of, open_exercise
-from looks import faults
 from playwright.sync_api import Browser, Page, expect
-from readers import reader
 
 from rosspin.exercises import check
+
+from .answers import CELLS, answer_in, number_of
+from .listings_in_page import lines_of, open_exercise
+from .looks import faults
+from .readers import reader
 
 
 @contextmanager

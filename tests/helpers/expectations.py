@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from tree import TESTS
+from .tree import TESTS
 
 
 class Expectation(NamedTuple):

@@ -12,12 +12,13 @@ from typing import Any, NamedTuple
 
 import pytest
 from playwright.sync_api import Page, expect
-from tree import ROOT
 
 from rosspin import Tick, rclpy, simulate
 from rosspin.clocks.simulation import Simulation
 from rosspin.run.simulate import run_captured
 from rosspin.run.source import load_source
+
+from .tree import ROOT
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
 

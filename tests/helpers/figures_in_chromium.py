@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from figures import Kind, opened
-from looks import faults
 from playwright.sync_api import BrowserContext
+
+from .figures import Kind, opened
+from .looks import faults
 
 
 def moves_by_keyboard(context: BrowserContext, address: str, kind: Kind) -> None:

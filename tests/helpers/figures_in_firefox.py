@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from figures import SHOWN, Kind, check_rows
-from firefox import Tab
+from .figures import SHOWN, Kind, check_rows
+from .firefox import Tab
 
 # A figure: what a screen reader is told of its handle, and the place of that; its rows, alternative text and axis (s).
 FIGURE = f"""async number => {{

@@ -12,9 +12,10 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from answers import CELLS
-from attacks import FORGERIES
 from playwright.sync_api import BrowserContext, Locator, Page, Route, expect
+
+from .answers import CELLS
+from .attacks import FORGERIES
 
 TEACHERS = "docs/for-teachers.html"
 

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from datetime import UTC, datetime
 from random import Random
 
-from known_logs import Case
-from tree import TESTS
-
 from rosspin import Node, simulate
+
+from .known_logs import Case
+from .tree import TESTS
 
 HERE = TESTS / "look"
 START = 1_700_000_000

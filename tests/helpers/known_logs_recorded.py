@@ -13,13 +13,13 @@ import time
 from pathlib import Path
 from typing import Any
 
-from known_logs import Case
-from tree import ROOT, TESTS
-
 from rosspin.real.children import SITECUSTOMIZE, Children
 from rosspin.real.ros1 import Workspace
 from rosspin.real.ros2 import Nodes, python
 from rosspin.results.saving import save_whole
+
+from .known_logs import Case
+from .tree import ROOT, TESTS
 
 __all__ = ["recording", "record"]
 

@@ -7,15 +7,15 @@ import subprocess
 from collections.abc import Callable
 from functools import cache
 
-import rclcpp_nodes
-from firefox import firefox
-from message_probe import PACKAGES
-from runtimes import KILTED_PYTHON
-
+from benchmarks import rclcpp_nodes
 from rosspin import doctor
 from rosspin.grading.lanes import Lanes
 from rosspin.grading.sealed import CannotSeal
 from rosspin.real import ros2
+
+from .firefox import firefox
+from .message_probe import PACKAGES
+from .runtimes import KILTED_PYTHON
 
 
 @cache

@@ -15,13 +15,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from unittest import mock
 
-import expectations
-from admission import Admission
-from tree import TESTS
-from verdicts import inconclusive
-
 from rosspin import simulate
 from rosspin.real import ros1
+
+from . import expectations
+from .admission import Admission
+from .tree import TESTS
+from .verdicts import inconclusive
 
 PACKAGE = TESTS / "launched"
 FILES = sorted(path.stem for path in (PACKAGE / "launch").glob("*.launch"))

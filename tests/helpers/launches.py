@@ -9,11 +9,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from unittest import mock
 
-from expectations import mishaps
-from verdicts import inconclusive
-
 from rosspin.real import ros2
 from rosspin.results.ticks import Run
+
+from .expectations import mishaps
+from .verdicts import inconclusive
 
 __all__ = ["NEVER", "Until", "launch", "launch_past", "unspoilt"]
 

@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
-from corpus import Scenario
-from shares import SHARE, is_in
-from tree import TESTS
-
 from rosspin.results.saving import save_whole
+
+from .corpus import Scenario
+from .shares import SHARE, is_in
+from .tree import TESTS
 
 LEDGER = TESTS / "ledger.toml"
 

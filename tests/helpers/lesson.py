@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import textwrap
 
-from tree import ROOT
+from .tree import ROOT
 
 HOW_TO = (ROOT / "docs/how-to/add-a-lesson.rst").read_text(encoding="utf-8")
 

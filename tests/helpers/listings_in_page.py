@@ -9,9 +9,10 @@ import zlib
 from typing import Any
 
 from playwright.sync_api import Locator, Page, expect
-from python_texts import of_any_python
-from readers import until
-from tree import EXAMPLES
+
+from .python_texts import of_any_python
+from .readers import until
+from .tree import EXAMPLES
 
 TUTORIAL = "docs/tutorial-timer.html"
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from bs4 import BeautifulSoup
-from tree import HELPERS
+
+from .tree import HELPERS
 
 # A node that prints the names that are taken; what it prints on the real ROS 2 is beside it.
 NAMES = HELPERS / "rclpy_names_probe.py"

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from python_texts import of_any_python
+from .python_texts import of_any_python
 
 __all__ = [
     "CTRL_C",

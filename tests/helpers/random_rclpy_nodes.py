@@ -14,8 +14,8 @@ from typing import Any
 
 import pytest
 from hypothesis import strategies as st
-from rclpy_oracle import on_the_oracle, real_rclpy
 
+from benchmarks.rclpy_oracle import on_the_oracle, real_rclpy
 from rosspin import simulate
 
 END = 6.0  # s

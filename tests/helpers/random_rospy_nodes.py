@@ -11,9 +11,10 @@ from typing import Any
 
 import pytest
 from hypothesis import strategies as st
-from rospy_oracle import on_the_oracle, real_rospy
 
 from rosspin import simulate
+
+from .rospy_oracle import on_the_oracle, real_rospy
 
 MS = 1_000_000
 BEGIN, END = 1000, 1005  # s: as on a real machine, no time is near 0 but one that is told

@@ -17,7 +17,7 @@ from types import SimpleNamespace
 from typing import Any
 from unittest.mock import patch
 
-from oracles import stub, without
+from benchmarks.oracles import stub, without
 
 
 def real_rospy() -> Path | None:

@@ -7,14 +7,15 @@ from collections.abc import Iterable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any, Self
 
-import expectations
 import pytest
-from admission import Admission
-from corpus import Scenario, closest, read, recorded, simulated
-from lacking import LACKS
-from outcomes import Outcome
-from runtimes import Machine
-from verdicts import Control, inconclusive
+
+from . import expectations
+from .admission import Admission
+from .corpus import Scenario, closest, read, recorded, simulated
+from .lacking import LACKS
+from .outcomes import Outcome
+from .runtimes import Machine
+from .verdicts import Control, inconclusive
 
 # More at a time would not begin earlier, on any machine that we know.
 AT_MOST = 8

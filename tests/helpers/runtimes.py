@@ -10,12 +10,12 @@ from contextlib import ExitStack
 from functools import cache
 from typing import Self
 
-from corpus import Scenario
-from outcomes import JITTER
-from tree import ROOT
-
 from rosspin.real import ros1, ros2
 from rosspin.real.children import Children
+
+from .corpus import Scenario
+from .outcomes import JITTER
+from .tree import ROOT
 
 KILTED_PYTHON = ROOT / "build" / "ros2-kilted" / "bin" / "python"
 

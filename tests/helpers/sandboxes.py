@@ -9,14 +9,11 @@ from pathlib import Path
 from typing import Any
 from unittest import mock
 
-import corpus_pairs
-import corpus_ros1
-import corpus_ros2
-import expectations
-from corpus import Scenario
-from listings_in_page import lines_of
-
 from rosspin import simulate
+
+from . import corpus_pairs, corpus_ros1, corpus_ros2, expectations
+from .corpus import Scenario
+from .listings_in_page import lines_of
 
 # A function of that name, which does jobs in one sandbox of those that the page's cells use; what one prints and how it
 # ended.

@@ -13,7 +13,8 @@ from pathlib import Path
 from unittest.mock import patch
 
 from sphinx.cmd.build import main
-from tree import ROOT
+
+from .tree import ROOT
 
 CONF = """
 import runpy

@@ -9,7 +9,7 @@ import time
 from collections.abc import MutableMapping
 from fnmatch import fnmatchcase
 
-from tree import ROOT
+from .tree import ROOT
 
 # pytest's own, and those of which a Python that has started has already made what it will.
 _BY_HAND = ["PYTEST_%", "PYTHONPATH", "PYTHONHASHSEED"]

@@ -5,20 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-import admission
-import corpus_checks
-import corpus_ros1
-import corpus_ros2
-import expectations
-import ledger
 import pytest
-import runs
-import sandboxes
-from corpus import Scenario, recorded, simulated
-from corpus_pairs import PAIR_LIST
-from ledger import Ledger
-from shares import is_left_out
-from verdicts import Inconclusive
+
+from . import admission, corpus_checks, corpus_ros1, corpus_ros2, expectations, ledger, runs, sandboxes
+from .corpus import Scenario, recorded, simulated
+from .corpus_pairs import PAIR_LIST
+from .ledger import Ledger
+from .shares import is_left_out
+from .verdicts import Inconclusive
 
 ALL = [*corpus_ros1.SCENARIO_LIST, *corpus_ros2.SCENARIO_LIST]
 BY_NAME = {scenario.name: scenario for scenario in ALL}
@@ -118,7 +112,7 @@ def test_a_run_that_met_a_race_of_any_node_tells_nothing(console: Callable[[Scen
 
 def test_the_control_beside_tells_of_stalls_within_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
     now = 100.0
-    monkeypatch.setattr("runs.time.monotonic", lambda: now)
+    monkeypatch.setattr("tests.helpers.runs.time.monotonic", lambda: now)
     beside = runs._Beside()
     for took in (0.025, 0.5, 0.3, 0.025):  # it is to be called every 25 ms
         now += took

@@ -7,7 +7,7 @@ import sys
 import tomllib
 from pathlib import Path
 
-from tree import ROOT
+from .tree import ROOT
 
 VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
 

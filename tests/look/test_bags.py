@@ -13,10 +13,10 @@ from struct import pack
 from typing import Any
 
 import pytest
-from tree import TESTS
 
 from rosspin.__main__ import main
 from rosspin.look import NoLog, bags, look
+from tests.helpers.tree import TESTS
 
 LOGS = TESTS / "look/recorded"
 SPEED = [(1_700_000_000_000_000_000 + n * 50_000_000 + n % 5 * 100_000, n) for n in range(60)]

@@ -11,9 +11,9 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from tree import ROOT, TESTS
 
 from rosspin.__main__ import main
+from tests.helpers.tree import ROOT, TESTS
 
 VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
 LOGS = TESTS / "look/recorded"

@@ -9,11 +9,11 @@ from functools import cache
 from itertools import pairwise
 
 import pytest
-from known_logs import CASES, Case, draw
-from known_logs_made import load
-from tree import ROOT
 
 from rosspin.look import TITLES, Look, Verdict, look
+from tests.helpers.known_logs import CASES, Case, draw
+from tests.helpers.known_logs_made import load
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

@@ -7,12 +7,12 @@ import runpy
 from pathlib import Path
 
 import pytest
-from tree import TESTS
 
 from rosspin import simulate
 from rosspin.__main__ import main
 from rosspin.look import look
 from rosspin.look.pinning import NODE, TEST, as_files
+from tests.helpers.tree import TESTS
 
 LOGS = TESTS / "look/recorded"
 

@@ -7,11 +7,11 @@ from functools import cache
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as some
-from known_logs import CASES, Case
-from known_logs_made import load
 
 from rosspin.look import NoLog, look
 from rosspin.look.reading import Entry, read
+from tests.helpers.known_logs import CASES, Case
+from tests.helpers.known_logs_made import load
 
 AT = 1_700_000_000_123_456_000
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import math
 import pickle
-import runpy
 import subprocess
 import sys
 from array import array
@@ -16,13 +15,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from own_packages import WHEEL, write_package
-from tree import ROOT
 
+from benchmarks import definitions
 from rosspin.messages import DefinitionError, MessageFinder, ros1, ros2
 from rosspin.messages.definitions import parse
 from rosspin.messages.genpy import Duration, Time
 from rosspin.messages.library import Library
+from tests.helpers.own_packages import WHEEL, write_package
+from tests.helpers.tree import ROOT
 
 CARRIED = ROOT / "src" / "rosspin" / "messages"
 
@@ -46,7 +46,7 @@ def messages() -> ros1.Messages:
 
 @pytest.mark.parametrize("file", ["noetic.txt", "jazzy.txt"])
 def test_the_definitions_are_those_of_the_pinned_library(file: str) -> None:
-    written = runpy.run_path(str(ROOT / "benchmarks" / "definitions.py"))["text"](file)
+    written = definitions.text(file)
     assert (CARRIED / file).read_text(encoding="utf-8") == written, "run `make definitions`"
 
 

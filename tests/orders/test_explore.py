@@ -19,9 +19,9 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
-from planted_orders import PLANTS
 
 import rosspin
+from benchmarks.planted_orders import PLANTS
 from rosspin.__main__ import main
 from rosspin.clocks.explored import Order
 from rosspin.faults import Crash, Fault, Slow

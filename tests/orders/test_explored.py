@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from planted_orders import PLANTS
 
 import rosspin
 import rosspin.rclpy  # with all that it imports: pytester takes away what is imported only in its own runs
+from benchmarks.planted_orders import PLANTS
 from rosspin import pytest_plugin
 
 pytest_plugins = ["pytester"]
@@ -119,7 +119,7 @@ def test_it_needs_the_fixture() -> None:
 
 @pytest.mark.parametrize("folder", ["examples/orders", "examples/orders/ros2"])
 def test_the_test_of_the_page_fails_as_the_page_says(folder: str, run_tests: Any) -> None:
-    from tree import ROOT
+    from tests.helpers.tree import ROOT
 
     text = (ROOT / folder / "test_parts.py").read_text(encoding="utf-8")
     run = run_tests(text.replace('"parts_py_node.py"', repr(str(ROOT / folder / "parts_py_node.py"))))

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from planted_orders import PLANTS
 
 import rosspin
+from benchmarks.planted_orders import PLANTS
 from rosspin import plots
 from rosspin.__main__ import main
 from rosspin.plots import pictures

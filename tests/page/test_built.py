@@ -14,13 +14,13 @@ from zipfile import ZipFile
 
 import pytest
 import yaml
-from attacks import SANDBOX
-from built_pages import parsed
-from figures import FIGURES
-from hand_ins import EXERCISES, TEACHERS
-from tree import ROOT
 
 from rosspin.site.live import plot, policy
+from tests.helpers.attacks import SANDBOX
+from tests.helpers.built_pages import parsed
+from tests.helpers.figures import FIGURES
+from tests.helpers.hand_ins import EXERCISES, TEACHERS
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

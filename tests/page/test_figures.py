@@ -8,9 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from built_pages import parsed
-from figures import Kind, check_rows, kinds
-from tree import ROOT
+
+from tests.helpers.built_pages import parsed
+from tests.helpers.figures import Kind, check_rows, kinds
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

@@ -8,7 +8,8 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from tree import ROOT
+
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

@@ -7,10 +7,11 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from answers import CELLS, answer_in
-from listings_in_page import node
-from page_python import Message, look_job, run_job, said
-from tree import EXAMPLES, ROOT, TESTS
+
+from tests.helpers.answers import CELLS, answer_in
+from tests.helpers.listings_in_page import node
+from tests.helpers.page_python import Message, look_job, run_job, said
+from tests.helpers.tree import EXAMPLES, ROOT, TESTS
 
 pytestmark = pytest.mark.shares(3)
 

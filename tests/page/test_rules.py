@@ -10,13 +10,13 @@ import subprocess
 from typing import Any
 
 import pytest
-from tree import ROOT
 
 from rosspin.hand_ins.on_page import ROOM
 from rosspin.measures import describe_timeline, lost_by_source, say_time
 from rosspin.plots import layout
 from rosspin.results.ticks import Tick
 from rosspin.site.rules import defined
+from tests.helpers.tree import ROOT
 
 SCRIPTS = ROOT / "web/src"
 

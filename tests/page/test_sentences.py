@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 
 import pytest
-from listings_in_page import node, node2
-from page_python import Message, run_job, said
+
+from tests.helpers.listings_in_page import node, node2
+from tests.helpers.page_python import Message, run_job, said
 
 FIRST_LINE = "the first line can be %%simulate SECONDS here"
 

@@ -6,7 +6,8 @@ import ast
 import tomllib
 
 import pytest
-from tree import ROOT, TESTS
+
+from tests.helpers.tree import ROOT, TESTS
 
 FAULTS = tomllib.loads((TESTS / "planted/faults.toml").read_text(encoding="utf-8"))
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from python_texts import of_any_python
-from runtimes import kept
 
 from rosspin import simulate
+from tests.helpers.python_texts import of_any_python
+from tests.helpers.runtimes import kept
 
 NODES = sorted((Path(__file__).parent / "beside").glob("*.py"))
 

@@ -14,13 +14,13 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
-from names_of_rclpy import IMPORTS, NAMES, names_of
 
 from rosspin import NotSimulated, Run, rclpy, simulate
 from rosspin.clocks import ending as endings
 from rosspin.clocks.simulation import Simulation
 from rosspin.run.simulate import run_node
 from rosspin.run.source import load
+from tests.helpers.names_of_rclpy import IMPORTS, NAMES, names_of
 
 Error = type[BaseException]
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import expectations
 import pytest
-from corpus_pairs import LEDGER, PAIR_LIST, PAIRS, Pair, differing, recorded, simulated
-from ledger import Ledger
+
+from tests.helpers import expectations
+from tests.helpers.corpus_pairs import LEDGER, PAIR_LIST, PAIRS, Pair, differing, recorded, simulated
+from tests.helpers.ledger import Ledger
 
 
 @pytest.mark.parametrize("pair", PAIR_LIST, ids=lambda pair: pair.name)

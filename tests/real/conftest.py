@@ -8,16 +8,16 @@ from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 
 import pytest
-from cpp_nodes import CppNodes, built
-from firefox import Tab, firefox, tab
-from in_chromium import launched, served
-from lacking import LACKS
-from leftovers import processes
 from playwright.sync_api import Browser, expect
-from readers import PATIENCE
-from verdicts import Inconclusive
 
+from benchmarks.in_chromium import launched, served
 from rosspin import doctor
+from tests.helpers.cpp_nodes import CppNodes, built
+from tests.helpers.firefox import Tab, firefox, tab
+from tests.helpers.lacking import LACKS
+from tests.helpers.leftovers import processes
+from tests.helpers.readers import PATIENCE
+from tests.helpers.verdicts import Inconclusive
 
 expect.set_options(timeout=PATIENCE)
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from author import copied, go_the_way
+
+from tests.helpers.author import copied, go_the_way
 
 pytestmark = pytest.mark.shares(10)
 

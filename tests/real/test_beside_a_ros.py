@@ -11,9 +11,9 @@ from textwrap import dedent
 
 import greenlet
 import yaml
-from tree import ROOT
 
 from rosspin.real import ros2
+from tests.helpers.tree import ROOT
 
 ROS2 = """
     from geometry_msgs.msg import Point, Pose, PoseArray, PoseWithCovarianceStamped, Twist

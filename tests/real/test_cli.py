@@ -8,10 +8,10 @@ import signal
 from typing import Any
 
 import pytest
-from command_line import NEVER, RATE_NODE, TIMER_NODE, start
-from verdicts import control
 
 from rosspin.__main__ import main
+from tests.helpers.command_line import NEVER, RATE_NODE, TIMER_NODE, start
+from tests.helpers.verdicts import control
 
 FOREVER = """
     import rospy

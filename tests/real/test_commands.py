@@ -9,10 +9,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from commands import COMMANDS, SIMULATED
-from launches import unspoilt
-from tree import ROOT
-from verdicts import control
+
+from tests.helpers.commands import COMMANDS, SIMULATED
+from tests.helpers.launches import unspoilt
+from tests.helpers.tree import ROOT
+from tests.helpers.verdicts import control
 
 
 @pytest.mark.parametrize(

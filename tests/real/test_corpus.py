@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-import corpus_ros1
-import corpus_ros2
 import pytest
-from corpus import Scenario
-from lacking import LACKS
-from ledger import part
-from runs import Runs, asked_for, check
-from runtimes import RUNTIMES
+
+from tests.helpers import corpus_ros1, corpus_ros2
+from tests.helpers.corpus import Scenario
+from tests.helpers.lacking import LACKS
+from tests.helpers.ledger import part
+from tests.helpers.runs import Runs, asked_for, check
+from tests.helpers.runtimes import RUNTIMES
 
 CASES = [
     (runtime, scenario)

@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, LATE, answer_in, late_listener, solution_of
-from cpp_nodes import CppNodes
-from launches import NEVER, Until, launch
-from verdicts import control
 
 from rosspin.real.ros1 import Workspace
 from rosspin.results.console import read_ticks
+from tests.helpers.answers import CELLS, LATE, answer_in, late_listener, solution_of
+from tests.helpers.cpp_nodes import CppNodes
+from tests.helpers.launches import NEVER, Until, launch
+from tests.helpers.verdicts import control
 
 
 def test_the_cpp_node_does_what_the_solution_says(cpp_nodes: CppNodes) -> None:

@@ -17,13 +17,13 @@ from pathlib import Path
 from textwrap import dedent
 
 import pytest
-from launches import launch
-from verdicts import control
 
 import rosspin
 from rosspin.faults import ClockJump, Crash, Fault, Late, Slow, Topic
 from rosspin.real import ros1, ros2
 from rosspin.real.children import Children
+from tests.helpers.launches import launch
+from tests.helpers.verdicts import control
 
 pytestmark = pytest.mark.shares(10)
 

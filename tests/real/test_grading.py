@@ -14,8 +14,9 @@ from shlex import quote
 
 import pytest
 import yaml
-from answers import CELLS
-from tree import ROOT
+
+from tests.helpers.answers import CELLS
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(10)
 

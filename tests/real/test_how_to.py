@@ -15,15 +15,15 @@ from typing import Any
 
 import pytest
 from bs4 import BeautifulSoup
-from cpp_nodes import CppNodes
-from launches import NEVER, Until, launch, launch_past
-from tree import ROOT
-from verdicts import control
 
 from rosspin import simulate
 from rosspin.real import ros2
 from rosspin.real.ros1 import Workspace
 from rosspin.results.console import read_ticks
+from tests.helpers.cpp_nodes import CppNodes
+from tests.helpers.launches import NEVER, Until, launch, launch_past
+from tests.helpers.tree import ROOT
+from tests.helpers.verdicts import control
 
 pytestmark = pytest.mark.shares(5)
 

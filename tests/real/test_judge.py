@@ -8,8 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from answers import CELLS
-from command_line import NEVER
+from tests.helpers.answers import CELLS
+from tests.helpers.command_line import NEVER
 
 ENDLESS = "sum(iter(int, 1))"  # gives way to nothing
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-import launch_files
 import pytest
-from runs import asked_for
-from shares import SHARE, is_in
+
+from tests.helpers import launch_files
+from tests.helpers.runs import asked_for
+from tests.helpers.shares import SHARE, is_in
 
 SHARES = 8
 

@@ -8,8 +8,9 @@ from pathlib import Path
 from shlex import quote
 
 import pytest
-from author import copied, listed_in, typed
-from lesson import COMMANDS, FILES
+
+from tests.helpers.author import copied, listed_in, typed
+from tests.helpers.lesson import COMMANDS, FILES
 
 pytestmark = pytest.mark.shares(10)
 

@@ -7,11 +7,10 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
-from own_packages import WHEEL, write_package
-
 from rosspin.messages import MessageFinder, ros2
 from rosspin.messages.library import Library
 from rosspin.real import ros2 as real_ros2
+from tests.helpers.own_packages import WHEEL, write_package
 
 
 def test_the_md5_sum_of_an_own_message_is_genmsgs(require: Callable[[str], None], tmp_path: Path) -> None:

@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from shells import ipython_shell
-from tree import ROOT
-from verdicts import control
 
 from rosspin import NotSimulated, measure, rospy, simulate, start
+from tests.helpers.shells import ipython_shell
+from tests.helpers.tree import ROOT
+from tests.helpers.verdicts import control
 
 TIMER_NODE = ROOT / "examples" / "my_robotics_pkg" / "src" / "spinner_py_node.py"
 

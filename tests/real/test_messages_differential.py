@@ -13,12 +13,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from seeds import SEED
-from tree import HELPERS, SOURCE
 
 from rosspin.messages.definitions import parse
 from rosspin.messages.library import Library
 from rosspin.messages.ros1 import Messages
+from tests.helpers.seeds import SEED
+from tests.helpers.tree import HELPERS, SOURCE
 
 PROBE = HELPERS / "message_probe.py"
 # Errors that Python itself words, which it does anew now and then.

@@ -6,12 +6,11 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
-from names_of_rclpy import IMPORTS, NAMES, names_of
-from seeds import SEED
-from tree import HELPERS
-
 from rosspin import simulate
 from rosspin.real import ros2
+from tests.helpers.names_of_rclpy import IMPORTS, NAMES, names_of
+from tests.helpers.seeds import SEED
+from tests.helpers.tree import HELPERS
 
 PROBE = HELPERS / "names_probe.py"
 COUNT = 300

@@ -7,7 +7,8 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from tree import ROOT
+
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(5)
 

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import random_rclpy_nodes
-import random_rospy_nodes
 from hypothesis import HealthCheck, given, settings
+
+from tests.helpers import random_rclpy_nodes, random_rospy_nodes
 
 FEW = settings().max_examples // 2  # 50, and for `make judge` 500
 

@@ -13,15 +13,15 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from cpp_probes import LATE, differences
-from rclcpp_nodes import Programs, build, libraries, read_ticks
-from record_ros2 import random_blocks
-from seeds import SEED
-from tree import ROOT
-from verdicts import control
 
+from benchmarks.rclcpp_nodes import Programs, build, libraries, read_ticks
+from benchmarks.record_ros2 import random_blocks
 from rosspin import Tick, simulate
 from rosspin.real import ros2
+from tests.helpers.cpp_probes import LATE, differences
+from tests.helpers.seeds import SEED
+from tests.helpers.tree import ROOT
+from tests.helpers.verdicts import control
 
 
 @pytest.fixture(scope="module")

@@ -9,11 +9,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from names_of_rclpy import names_on_page
-from tree import ROOT
 
 from rosspin import rclpy, rospy
 from rosspin.real import ros2
+from tests.helpers.names_of_rclpy import names_on_page
+from tests.helpers.tree import ROOT
 
 
 def test_every_name_of_the_real_rospy_is_known(require: Callable[[str], None]) -> None:

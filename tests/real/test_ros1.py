@@ -14,18 +14,18 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from chatter import CHATTER
-from cpp_nodes import CppNodes
-from launches import NEVER, Until
-from leftovers import processes
-from tree import ROOT
-from verdicts import control
 
 from rosspin.__main__ import main
 from rosspin.clocks.ctrl_c import Ending
 from rosspin.measures import by_source
 from rosspin.real import ros1
 from rosspin.results.console import read_ticks
+from tests.helpers.chatter import CHATTER
+from tests.helpers.cpp_nodes import CppNodes
+from tests.helpers.launches import NEVER, Until
+from tests.helpers.leftovers import processes
+from tests.helpers.tree import ROOT
+from tests.helpers.verdicts import control
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"

@@ -20,11 +20,6 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
-from chatter import CHATTER
-from launches import NEVER, launch, launch_past, unspoilt
-from leftovers import processes
-from tree import ROOT
-from verdicts import control
 
 from rosspin import simulate
 from rosspin.__main__ import main
@@ -32,6 +27,11 @@ from rosspin.clocks.ctrl_c import Ending
 from rosspin.measures import by_source
 from rosspin.real import ros2
 from rosspin.real.children import Output
+from tests.helpers.chatter import CHATTER
+from tests.helpers.launches import NEVER, launch, launch_past, unspoilt
+from tests.helpers.leftovers import processes
+from tests.helpers.tree import ROOT
+from tests.helpers.verdicts import control
 
 pytestmark = [pytest.mark.usefixtures("leaves_nothing"), pytest.mark.shares(10)]
 

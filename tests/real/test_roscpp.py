@@ -5,15 +5,14 @@ from __future__ import annotations
 import re
 from concurrent.futures import ThreadPoolExecutor
 
-from cpp_nodes import CppNodes
-from cpp_probes import LATE, differences
-from record import PERIOD, random_blocks
-from seeds import SEED
-from tree import ROOT
-from verdicts import control
-
+from benchmarks.record import PERIOD, random_blocks
 from rosspin import Tick, simulate
 from rosspin.real.ros1 import Workspace
+from tests.helpers.cpp_nodes import CppNodes
+from tests.helpers.cpp_probes import LATE, differences
+from tests.helpers.seeds import SEED
+from tests.helpers.tree import ROOT
+from tests.helpers.verdicts import control
 
 PROBE = ROOT / "examples/timing_probes/src/timer_probe.cpp"
 

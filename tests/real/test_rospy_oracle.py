@@ -19,11 +19,11 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from random_rospy_nodes import rospy_folder
-from rospy_oracle import on_the_oracle, oracle
 
 from rosspin import rospy, simulate
 from rosspin.messages import genpy
+from tests.helpers.random_rospy_nodes import rospy_folder
+from tests.helpers.rospy_oracle import on_the_oracle, oracle
 
 
 @pytest.fixture(scope="module")

@@ -6,10 +6,9 @@ import random
 import subprocess
 from collections.abc import Callable
 
-from seeds import SEED
-
 from rosspin import Message, rospy
 from rosspin.measures import rostopic_hz, topic_ticks
+from tests.helpers.seeds import SEED
 
 
 def test_rostopic_hz_prints_what_the_real_one_prints(require: Callable[[str], None]) -> None:

@@ -6,13 +6,13 @@ import re
 from collections.abc import Callable, Iterator
 
 import pytest
-from cpp_nodes import CppNodes
-from launches import NEVER, Until
-from tree import EXAMPLES
-from verdicts import control
 
 from rosspin.real import ros2
 from rosspin.real.ros1 import Workspace
+from tests.helpers.cpp_nodes import CppNodes
+from tests.helpers.launches import NEVER, Until
+from tests.helpers.tree import EXAMPLES
+from tests.helpers.verdicts import control
 
 pytestmark = pytest.mark.shares(10)
 

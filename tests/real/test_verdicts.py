@@ -11,16 +11,17 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from launches import NEVER
-from tree import HELPERS, TESTS
-from verdicts import Control, Inconclusive, control, inconclusive
+
+from tests.helpers.launches import NEVER
+from tests.helpers.tree import ROOT, TESTS
+from tests.helpers.verdicts import Control, Inconclusive, control, inconclusive
 
 pytest_plugins = ["pytester"]
 
 # What a test does when it runs for the first time, for the second, and so on.
 TURNS = """
 import pytest
-from verdicts import inconclusive
+from tests.helpers.verdicts import inconclusive
 
 RUNS = {}
 
@@ -57,8 +58,7 @@ def test_after(after): pass
 def session(pytester: pytest.Pytester, monkeypatch: pytest.MonkeyPatch) -> Callable[..., pytest.RunResult]:
     """Runs tests of the real lane; the result."""
     monkeypatch.delenv("PYTEST_XDIST_WORKER", raising=False)  # of the session that this is a test of
-    paths = " ".join(f'"{folder}"' for folder in (HELPERS, TESTS.parent / "benchmarks"))
-    pytester.makeini(f"[pytest]\npythonpath = {paths}")
+    pytester.makeini(f'[pytest]\npythonpath = "{ROOT}"')
     pytester.makeconftest((TESTS / "real" / "conftest.py").read_text(encoding="utf-8"))
     plugins = ["-p", "pytest_rerunfailures", "-p", "xdist.plugin", "-p", "no:cacheprovider"]
 
@@ -147,10 +147,11 @@ def test_a_line_at_one_processor_of_several_is_seen(monkeypatch: pytest.MonkeyPa
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells that a process has been stopped")
 def test_a_process_that_stands_still_is_noticed() -> None:
-    code = "from verdicts import Control\nwith Control() as beside: print(flush=True); input()\nprint(beside.stalled())"
+    code = "from tests.helpers.verdicts import Control\n"
+    code += "with Control() as beside: print(flush=True); input()\nprint(beside.stalled())"
     command = [sys.executable, "-c", code]
     pipe = subprocess.PIPE
-    with subprocess.Popen(command, cwd=HELPERS, stdin=pipe, stdout=pipe, text=True) as process:
+    with subprocess.Popen(command, cwd=ROOT, stdin=pipe, stdout=pipe, text=True) as process:
         assert process.stdout
         process.stdout.readline()
         process.send_signal(signal.SIGSTOP)

@@ -16,11 +16,11 @@ from typing import Any
 
 import pytest
 from jupyter_client.manager import start_new_kernel
-from verdicts import control
 
 from rosspin import NotSimulated, Tick, measure, simulate
 from rosspin.clocks.ctrl_c import Ending
 from rosspin.run.host import Host
+from tests.helpers.verdicts import control
 
 pytestmark = pytest.mark.shares(10)
 

@@ -13,12 +13,12 @@ from time import perf_counter
 from typing import Any
 
 import pytest
-from endless import CHILDREN, OBSTINATE, SLEEPING, SOME, as_before, noting, source
 
 import rosspin
 from rosspin import TimeStandsStill, rospy, simulate
 from rosspin.clocks import simulation, watchdog
 from rosspin.exercises import check
+from tests.helpers.endless import CHILDREN, OBSTINATE, SLEEPING, SOME, as_before, noting, source
 
 pytestmark = pytest.mark.shares(10)
 

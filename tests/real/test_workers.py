@@ -12,14 +12,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, WRONG, written
 from bs4 import BeautifulSoup
 from distributed import Client, LocalCluster
-from planted_orders import PLANTS
-from tree import EXAMPLES
 
 import rosspin
+from benchmarks.planted_orders import PLANTS
 from rosspin.__main__ import main
+from tests.helpers.answers import CELLS, WRONG, written
+from tests.helpers.tree import EXAMPLES
 
 BROKEN = "%%answer two-timers\n1 / 0"
 

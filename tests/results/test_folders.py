@@ -9,9 +9,9 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from tree import ROOT
 
 from rosspin.results.folders import TemporaryFolder, sweep
+from tests.helpers.tree import ROOT
 
 OWNER = """
 import sys

@@ -7,7 +7,6 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tree import ROOT
 
 from rosspin import FaultEvent, Tick, simulate
 from rosspin.measures import (
@@ -23,6 +22,7 @@ from rosspin.measures import (
     side_by_side,
     verdict,
 )
+from tests.helpers.tree import ROOT
 
 
 def ticks(*reals: float, period: float = 0.5) -> list[Tick]:

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tree import EXAMPLES
 
 from rosspin import Tick, simulate
 from rosspin.results.pinned import as_test
+from tests.helpers.tree import EXAMPLES
 
 
 def pinned(monkeypatch: pytest.MonkeyPatch, folder: Path, source: str, more: str = "") -> None:

@@ -9,10 +9,10 @@ import signal
 from pathlib import Path
 
 import pytest
-from tree import ROOT
 
 from rosspin import Run, simulate
 from rosspin.results import recordings
+from tests.helpers.tree import ROOT
 
 FOLDER = ROOT / "examples" / "recordings"
 # No run's ticks; docs/how-timing-works.rst and docs/publish.rst check what they say.

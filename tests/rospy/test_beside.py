@@ -6,9 +6,9 @@ import re
 from pathlib import Path
 
 import pytest
-from runtimes import kept
 
 from rosspin import NotSimulated, simulate
+from tests.helpers.runtimes import kept
 
 NODES = sorted((Path(__file__).parent / "beside").glob("*.py"))
 

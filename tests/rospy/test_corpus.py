@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from corpus_checks import check_late, check_recorded, check_whole, each
-from corpus_ros1 import SCENARIO_LIST, SCENARIOS, Scenario
+from tests.helpers.corpus_checks import check_late, check_recorded, check_whole, each
+from tests.helpers.corpus_ros1 import SCENARIO_LIST, SCENARIOS, Scenario
 
 
 @each(SCENARIO_LIST)

@@ -12,12 +12,12 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from tree import HELPERS
 
 from rosspin import rospy, simulate
 from rosspin.messages import genpy
 from rosspin.rospy import client, core, names, rosgraph, rostime
 from rosspin.rospy.validators import ParameterInvalid, non_empty
+from tests.helpers.tree import HELPERS
 
 PROBE = HELPERS / "names_probe.py"
 COUNT = 300

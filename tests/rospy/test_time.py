@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from python_texts import of_any_python
 
 from rosspin import rospy, simulate
 from rosspin.messages import genpy
+from tests.helpers.python_texts import of_any_python
 
 NS = 10**9
 fast = settings(max_examples=80, deadline=None)

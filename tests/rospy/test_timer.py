@@ -13,10 +13,10 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from python_texts import of_any_python
 
 from rosspin import Run, TimeStandsStill, rospy, simulate
 from rosspin.rospy import rostime
+from tests.helpers.python_texts import of_any_python
 
 NS = 10**9
 some = settings(max_examples=100, deadline=None)

@@ -11,8 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from graphs import LENGTH, Sink, Source
-from seeds import SEED
 
 from rosspin import NotSimulated, Run, rospy, simulate
 from rosspin.exercises.advice import advice
@@ -21,6 +19,8 @@ from rosspin.plots import lateness, period_histogram, timeline
 from rosspin.results.ticks import Message, Tick
 from rosspin.rospy.topics import LATER_PUBLISHER, LATER_SUBSCRIBER
 from rosspin.world.world import current_world
+from tests.helpers.graphs import LENGTH, Sink, Source
+from tests.helpers.seeds import SEED
 
 # --- what a run tells of its topics -----------------------------------------------------------------------------------
 

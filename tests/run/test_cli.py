@@ -11,13 +11,13 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
-from command_line import TIMER_NODE, run
-from python_texts import of_any_python
 
 from rosspin import Run
 from rosspin.__main__ import main
 from rosspin.clocks import watchdog
 from rosspin.real import ros1, ros2
+from tests.helpers.command_line import TIMER_NODE, run
+from tests.helpers.python_texts import of_any_python
 
 RATE_FROM_A_PARAMETER = """
     import rospy

@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import pytest
-from tree import EXAMPLES
 
 from rosspin import plots, rclpy, rospy, simulate
 from rosspin.clocks.simulation import Simulation
@@ -20,6 +19,7 @@ from rosspin.run.source import load_source
 from rosspin.run.streams import capture
 from rosspin.site.live import plot
 from rosspin.world.graph import TickLog
+from tests.helpers.tree import EXAMPLES
 
 ROSPY, RCLPY = EXAMPLES / "timing_probes/src/timer_probe.py", EXAMPLES / "ros2/timer_probe.py"
 LEFT = """\

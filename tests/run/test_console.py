@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 import pytest
-from tree import ROOT
 
 from rosspin import Tick, simulate
 from rosspin.results.console import Line, read_lines, read_ticks
+from tests.helpers.tree import ROOT
 
 TIMER_NODE = ROOT / "examples" / "my_robotics_pkg" / "src" / "spinner_py_node.py"
 

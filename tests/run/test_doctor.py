@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from tree import ROOT
 
 from rosspin import doctor
 from rosspin.real import ros2
+from tests.helpers.tree import ROOT
 
 
 @pytest.fixture

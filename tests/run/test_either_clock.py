@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from either_clock import *  # noqa: F403
-from either_clock import Run
 
 from rosspin import simulate
+from tests.helpers.either_clock import *  # noqa: F403
+from tests.helpers.either_clock import Run
 
 
 @pytest.fixture

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from endless import BOTH, RATES, SLEEPING, SOME, TIMERS, as_before, noting, source
 
 import rosspin
 from rosspin import TimeStandsStill, simulate
@@ -17,6 +16,7 @@ from rosspin.clocks import simulation
 from rosspin.clocks.stacks import current
 from rosspin.exercises import check
 from rosspin.run import simulate as run
+from tests.helpers.endless import BOTH, RATES, SLEEPING, SOME, TIMERS, as_before, noting, source
 
 NODES = [
     *(pytest.param(source(ros, body), id=f"ros{ros} {name}") for name, body in BOTH.items() for ros in (1, 2)),

@@ -10,12 +10,12 @@ import signal
 from pathlib import Path
 from unittest import mock
 
-import corpus_ros2
 import pytest
-from corpus_ros1 import LONGEST, SCENARIO_LIST, SCENARIOS, Scenario
-from seeds import SEED
 
 from rosspin import NodeFailed, Run, simulate, start
+from tests.helpers import corpus_ros2
+from tests.helpers.corpus_ros1 import LONGEST, SCENARIO_LIST, SCENARIOS, Scenario
+from tests.helpers.seeds import SEED
 
 pytestmark = pytest.mark.shares(3)
 

@@ -11,10 +11,10 @@ from contextlib import suppress
 from typing import Any
 
 import pytest
-from simulated_only import OutOfLane, simulated_only
-from tree import HELPERS
 
 from rosspin import measure, simulate
+from tests.helpers.simulated_only import OutOfLane, simulated_only
+from tests.helpers.tree import ROOT
 
 NODE = "import rospy\nrospy.init_node('node')\n"
 
@@ -57,12 +57,11 @@ def test_a_random_seed_is_drawn_once() -> None:
 
 def _seed(given: dict[str, str]) -> int:
     """The seed in a process, which is also that of a process that this one starts."""
-    code = "import os, seeds, subprocess, sys; print(seeds.SEED, flush=True)\nif len(sys.argv) < 3: " + (
-        "subprocess.run([sys.executable, '-c', sys.argv[1], '', ''], check=True)"
-    )
+    code = "import os, subprocess, sys; from tests.helpers import seeds; print(seeds.SEED, flush=True)\n"
+    code += "if len(sys.argv) < 3: subprocess.run([sys.executable, '-c', sys.argv[1], '', ''], check=True)"
     environment = {name: value for name, value in os.environ.items() if name != "ROSSPIN_SEED"} | given
     command = [sys.executable, "-c", code, code]
-    run = subprocess.run(command, env=environment | {"PYTHONPATH": str(HELPERS)}, capture_output=True, text=True)
+    run = subprocess.run(command, env=environment | {"PYTHONPATH": str(ROOT)}, capture_output=True, text=True)
     first, second = run.stdout.split()
     assert first == second
     return int(first)

@@ -11,12 +11,12 @@ from shlex import quote
 from typing import Any
 
 import pytest
-from tree import ROOT
 
 from rosspin import measure, simulate
 from rosspin.__main__ import main
 from rosspin.run.explain import say_error
 from rosspin.run.roslaunch.launch import read_launch
+from tests.helpers.tree import ROOT
 
 SPINNERS = ROOT / "examples/my_robotics_pkg/launch/spinner_param.launch"
 

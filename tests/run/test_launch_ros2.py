@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tree import TESTS
 
 from rosspin import measure, simulate, start
 from rosspin.__main__ import main
+from tests.helpers.tree import TESTS
 
 PACKAGE = TESTS / "launched_ros2"
 RECORDED = PACKAGE / "recorded"

@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from python_texts import of_any_python
-from shells import ipython_shell
-from tree import ROOT
 
 from rosspin import Run
 from rosspin.clocks import simulation
+from tests.helpers.python_texts import of_any_python
+from tests.helpers.shells import ipython_shell
+from tests.helpers.tree import ROOT
 
 NODES = ROOT / "examples" / "my_robotics_pkg" / "src"
 NODE = (NODES / "spinner_py_node.py").read_text()

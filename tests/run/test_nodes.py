@@ -14,11 +14,11 @@ from importlib import import_module
 from typing import Any, NamedTuple
 
 import pytest
-from graphs import LENGTH, Sink, Source
-from seeds import SEED
 
 from rosspin import Node, NotSimulated, Run, TimeStandsStill, rospy, simulate, start
 from rosspin.rospy.topics import LATER_PUBLISHER, LATER_SUBSCRIBER
+from tests.helpers.graphs import LENGTH, Sink, Source
+from tests.helpers.seeds import SEED
 
 NS = 1_000_000_000
 

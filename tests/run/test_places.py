@@ -10,14 +10,13 @@ import sys
 from pathlib import Path
 from unittest import mock
 
-import corpus_ros1
-import corpus_ros2
 import pytest
-from corpus import Scenario
-from places import PLACES, SITE, lay, looking_for_packages_in
 
 from rosspin import simulate
 from rosspin.run.explain import say_error
+from tests.helpers import corpus_ros1, corpus_ros2
+from tests.helpers.corpus import Scenario
+from tests.helpers.places import PLACES, SITE, lay, looking_for_packages_in
 
 pytestmark = pytest.mark.shares(3)
 

@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tree import ROOT
 
 from rosspin.real import ros1, ros2
+from tests.helpers.tree import ROOT
 
 LAUNCH_FILE = ROOT / "examples/my_robotics_pkg/launch/spinner.launch"
 PACKAGE_ROS2 = ROOT / "examples/my_robotics_pkg_ros2"

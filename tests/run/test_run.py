@@ -21,7 +21,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tree import ROOT
 
 import rosspin
 from rosspin import NotSimulated, Tick, TimeStandsStill, measure, rospy, simulate, start
@@ -29,6 +28,7 @@ from rosspin.clocks.simulation import Simulation
 from rosspin.run.explain import say_error
 from rosspin.run.simulate import run_node
 from rosspin.run.source import load, load_source
+from tests.helpers.tree import ROOT
 
 EXAMPLES = ROOT / "examples" / "my_robotics_pkg" / "src"
 TIMER_NODE, RATE_NODE = EXAMPLES / "spinner_py_node.py", EXAMPLES / "spinner_rate_py_node.py"

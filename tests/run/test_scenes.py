@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tree import EXAMPLES
 
 from rosspin.clocks.simulation import Simulation
 from rosspin.run.roslaunch.launch import Launch, Node
@@ -16,6 +15,7 @@ from rosspin.run.source import load
 from rosspin.run.steps_seen import StepsSeen, ThreadsSeen
 from rosspin.run.streams import capture
 from rosspin.world.graph import TickLog
+from tests.helpers.tree import EXAMPLES
 
 TASKS = """\
 import rclpy

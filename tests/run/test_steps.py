@@ -16,9 +16,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tree import SOURCE
 
 from rosspin import NodeFailed, NotSimulated, TimeStandsStill, rospy, simulate, start
+from tests.helpers.tree import SOURCE
 
 # --- nodes ------------------------------------------------------------------------------------------------------------
 

@@ -7,17 +7,10 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-import day
 import pytest
-import ratios
-import ros2
-import site_build
-import threads
-import ticks
-import topics
-from rclpy_oracle import real_rclpy
-from tree import ROOT
 
+from benchmarks import day, ratios, ros2, site_build, threads, ticks, topics
+from benchmarks.rclpy_oracle import real_rclpy
 from rosspin import Run
 
 pytestmark = pytest.mark.shares(3)
@@ -95,7 +88,7 @@ def test_a_day_is_complete_and_leaves_no_memory() -> None:
 
 def test_a_process_that_a_part_spawns_measures_nothing(capfd: pytest.CaptureFixture[str]) -> None:
     """It imports the file that was started."""
-    runpy.run_path(str(ROOT / "benchmarks/__main__.py"), run_name="__mp_main__")
+    runpy.run_module("benchmarks.__main__", run_name="__mp_main__")
     assert capfd.readouterr().out == ""
 
 

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 from bs4 import Tag
-from built_pages import parsed
-from commands import PAGES
-from tree import ROOT
 
 from rosspin.exercises import EXERCISES
 from rosspin.rclpy import _ENDING, discovery
+from tests.helpers.built_pages import parsed
+from tests.helpers.commands import PAGES
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 import yaml
-from tree import ROOT, TESTS
+
+from tests.helpers.tree import ROOT, TESTS
 
 pytestmark = pytest.mark.shares(3)
 

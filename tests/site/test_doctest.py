@@ -8,8 +8,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from small_sites import CONF, PAGES, arguments, build, listed, site
-from tree import ROOT
+
+from tests.helpers.small_sites import CONF, PAGES, arguments, build, listed, site
+from tests.helpers.tree import ROOT
 
 # Each in a group of its own, which is its name. As (directive, options, content); what is true passes.
 LIES = {

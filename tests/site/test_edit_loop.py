@@ -9,9 +9,9 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from small_sites import build, listed, site
 
 from rosspin.results import machine
+from tests.helpers.small_sites import build, listed, site
 
 pytestmark = pytest.mark.shares(3)
 

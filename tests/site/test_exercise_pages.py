@@ -5,13 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from answers import TASKS
 from bs4 import BeautifulSoup
-from built_pages import parsed
-from tree import SITE
 
 from rosspin.exercises import EXERCISES
 from rosspin.site.exercise_pages import difference
+from tests.helpers.answers import TASKS
+from tests.helpers.built_pages import parsed
+from tests.helpers.tree import SITE
 
 pytestmark = pytest.mark.usefixtures("site")
 

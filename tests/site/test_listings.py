@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from built_pages import parsed
-from lesson import FILES as LESSON
-from tree import ROOT
+
+from tests.helpers.built_pages import parsed
+from tests.helpers.lesson import FILES as LESSON
+from tests.helpers.tree import ROOT
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"

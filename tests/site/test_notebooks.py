@@ -10,11 +10,11 @@ from pathlib import Path
 
 import jupytext
 import pytest
-from built_pages import parsed
-from notebook_nodes import IN_CPP, NODES
-from tree import ROOT
 
 from rosspin.run.kinds import written_in
+from tests.helpers.built_pages import parsed
+from tests.helpers.notebook_nodes import IN_CPP, NODES
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

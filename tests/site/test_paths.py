@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 from bs4 import BeautifulSoup, Tag
-from built_pages import parsed
-from small_sites import build
-from small_sites import site as small_site
-from tree import SITE
 
 from rosspin.site.times import EXERCISE
+from tests.helpers.built_pages import parsed
+from tests.helpers.small_sites import build
+from tests.helpers.small_sites import site as small_site
+from tests.helpers.tree import SITE
 
 pytestmark = [pytest.mark.usefixtures("site"), pytest.mark.shares(3)]
 

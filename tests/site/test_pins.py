@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 import yaml
-from tree import ROOT
+
+from tests.helpers.tree import ROOT
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 EXTRAS = PROJECT["project"]["optional-dependencies"]

@@ -11,13 +11,13 @@ from pathlib import Path
 
 import pytest
 from bs4 import BeautifulSoup
-from built_pages import parsed
-from names_of_rclpy import names_on_page
-from tree import ROOT
 
 import rosspin
 from rosspin import exercises, measures, plots, rclpy, rospy
 from rosspin.results import console, machine
+from tests.helpers.built_pages import parsed
+from tests.helpers.names_of_rclpy import names_on_page
+from tests.helpers.tree import ROOT
 
 PAGES = [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.glob("notebooks/*.md"))]
 

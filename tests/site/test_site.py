@@ -18,13 +18,13 @@ from urllib.parse import unquote, urlsplit
 import pytest
 import yaml
 from bs4 import BeautifulSoup, Tag
-from built_pages import parsed
-from commands import COMMANDS, PAGES, SIMULATED
 from docutils import nodes
-from tree import DOCTREES, ROOT, SITE
 
 from rosspin.__main__ import main
 from rosspin.site.search import _keep
+from tests.helpers.built_pages import parsed
+from tests.helpers.commands import COMMANDS, PAGES, SIMULATED
+from tests.helpers.tree import DOCTREES, ROOT, SITE
 
 pytestmark = pytest.mark.shares(3)
 

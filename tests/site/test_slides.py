@@ -7,9 +7,10 @@ import re
 from pathlib import Path
 
 import pytest
-from built_pages import parsed
-from small_sites import build
-from small_sites import site as small_site
+
+from tests.helpers.built_pages import parsed
+from tests.helpers.small_sites import build
+from tests.helpers.small_sites import site as small_site
 
 DECKS = ["ros2", "ros1"]
 

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import codespell_lib
 import pytest
-from tree import ROOT
+
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

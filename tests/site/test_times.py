@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 from docutils import nodes
-from small_sites import build, listed, site
 
 from rosspin.site import times
 from rosspin.site.live import SECONDS
 from rosspin.site.times import Seconds, rounded, seconds
+from tests.helpers.small_sites import build, listed, site
 
 WORDS = "word " * times.WORDS  # a minute
 LINES = "x = 1\n\n" * times.LINES

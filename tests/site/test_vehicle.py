@@ -10,14 +10,14 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from built_pages import parsed
-from tree import ROOT
 
 from rosspin import simulate
 from rosspin.plots.vehicle import PERIOD, SECONDS, drive
 from rosspin.results.recordings import load
 from rosspin.site.outputs import stale_picture
 from rosspin.site.vehicle import NODES
+from tests.helpers.built_pages import parsed
+from tests.helpers.tree import ROOT
 
 SECOND = {"second_callback", "callback 2", "lambda 2"}  # the timer that steers, in each language
 ON_TIME = [PERIOD * n for n in range(1, 24)]

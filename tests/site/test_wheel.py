@@ -6,8 +6,8 @@ import re
 import zipfile
 from pathlib import Path
 
-from tree import ROOT
-from wheels import VERSION, built
+from tests.helpers.tree import ROOT
+from tests.helpers.wheels import VERSION, built
 
 
 def test_it_is_whole(tmp_path: Path) -> None:

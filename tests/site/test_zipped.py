@@ -7,9 +7,9 @@ from pathlib import Path
 from zipfile import ZipFile
 
 import pytest
-from tree import ROOT
 
 from rosspin.site.zipped import zipped
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(3)
 

@@ -15,10 +15,11 @@ import jupytext
 import nbformat
 import pytest
 import yaml
-from answers import CELLS
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
-from tree import ROOT
+
+from tests.helpers.answers import CELLS
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(10)
 

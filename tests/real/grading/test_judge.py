@@ -16,12 +16,12 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from answers import CELLS, NAMES, WRONG, answer_in, written
-from command_line import NEVER
 
 from rosspin.__main__ import main
 from rosspin.exercises import Verdict, trace, verdict
 from rosspin.grading.lanes import Lanes, Task
+from tests.helpers.answers import CELLS, NAMES, WRONG, answer_in, written
+from tests.helpers.command_line import NEVER
 
 SOLVED = CELLS["slow-timer"][1].source
 OPEN = CELLS["slow-timer"][0].source

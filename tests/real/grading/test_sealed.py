@@ -16,14 +16,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, IN_CPP
-from command_line import NEVER
-from hostile import ATTACKS, got_in, teachers_services, written
 
 from rosspin.exercises import Verdict
 from rosspin.grading import lanes, sealed, worker
 from rosspin.grading.filtered import _ALLOWED
 from rosspin.grading.lanes import Lanes, Task
+from tests.helpers.answers import CELLS, IN_CPP
+from tests.helpers.command_line import NEVER
+from tests.helpers.hostile import ATTACKS, got_in, teachers_services, written
 
 pytestmark = pytest.mark.shares(2)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from author import copied, go_the_way
+from tests.helpers.author import copied, go_the_way
 
 
 def test_the_how_to_is_a_way_through_all_pages(tmp_path: Path) -> None:

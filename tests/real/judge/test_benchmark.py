@@ -7,12 +7,9 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-import lateness
-import limited
-import live
 import pytest
-import ros1_beside
-import ros2_beside
+
+from benchmarks import lateness, limited, live, ros1_beside, ros2_beside
 
 
 def test_lateness_is_compared_with_the_real_rclpy(require: Callable[[str], None]) -> None:

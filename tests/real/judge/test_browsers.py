@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-import corpus_ros1
-import corpus_ros2
 import pytest
-from corpus import Scenario
-from corpus_checks import each
-from firefox import firefox, tab
-from looks import faults
 from playwright.sync_api import Browser
-from readers import reader
-from sandboxes import Evaluate, Sandbox, check
+
+from tests.helpers import corpus_ros1, corpus_ros2
+from tests.helpers.corpus import Scenario
+from tests.helpers.corpus_checks import each
+from tests.helpers.firefox import firefox, tab
+from tests.helpers.looks import faults
+from tests.helpers.readers import reader
+from tests.helpers.sandboxes import Evaluate, Sandbox, check
 
 PAGE = "docs/tutorial.html"
 

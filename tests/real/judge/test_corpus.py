@@ -11,20 +11,18 @@ import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-import corpus_ros1
-import corpus_ros2
-import expectations
 import pytest
-from corpus import Scenario, closest, read, recorded, simulated
-from lacking import LACKS
-from ledger import Ledger
-from outcomes import JITTER, differences
-from runs import Case, Runs, asked_for, check, is_spoilt
-from runtimes import RUNTIMES, kept, version
-from seeds import SEED
-from verdicts import inconclusive
 
 from rosspin.results.saving import save_whole
+from tests.helpers import corpus_ros1, corpus_ros2, expectations
+from tests.helpers.corpus import Scenario, closest, read, recorded, simulated
+from tests.helpers.lacking import LACKS
+from tests.helpers.ledger import Ledger
+from tests.helpers.outcomes import JITTER, differences
+from tests.helpers.runs import Case, Runs, asked_for, check, is_spoilt
+from tests.helpers.runtimes import RUNTIMES, kept, version
+from tests.helpers.seeds import SEED
+from tests.helpers.verdicts import inconclusive
 
 PATIENCE = 600.0  # s, of which a quiet machine needs nothing
 RACES = 5  # runs of a scenario whose outcome is a race

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from answers import NAMES
-from exercises_in_page import is_checked, open_page
 from playwright.sync_api import Browser, Page
+
+from tests.helpers.answers import NAMES
+from tests.helpers.exercises_in_page import is_checked, open_page
 
 
 @pytest.fixture(scope="module")

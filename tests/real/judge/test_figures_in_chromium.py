@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from figures import Kind, kinds
-from figures_in_chromium import moves_by_keyboard, moves_by_pointer
 from playwright.sync_api import Browser, BrowserContext
-from readers import reader
+
+from tests.helpers.figures import Kind, kinds
+from tests.helpers.figures_in_chromium import moves_by_keyboard, moves_by_pointer
+from tests.helpers.readers import reader
 
 
 @pytest.fixture

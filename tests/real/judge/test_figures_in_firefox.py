@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from figures import Kind, kinds
-from figures_in_firefox import moves
-from firefox import Tab
+from tests.helpers.figures import Kind, kinds
+from tests.helpers.figures_in_firefox import moves
+from tests.helpers.firefox import Tab
 
 
 @kinds

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from attacks import FORGERIES
-from hand_ins import Table, solves_nothing
 from playwright.sync_api import Browser
-from readers import reader
+
+from tests.helpers.attacks import FORGERIES
+from tests.helpers.hand_ins import Table, solves_nothing
+from tests.helpers.readers import reader
 
 
 def test_no_message_solves_an_exercise(browser: Browser, address: str) -> None:

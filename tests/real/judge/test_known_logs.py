@@ -10,11 +10,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from known_logs import REAL, Case
-from known_logs_recorded import record, recording
-from verdicts import control
 
 from rosspin.look import look
+from tests.helpers.known_logs import REAL, Case
+from tests.helpers.known_logs_recorded import record, recording
+from tests.helpers.verdicts import control
 
 BEARS = 0.05  # s: longer, and the log shows that the machine has stalled
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-import launch_files
 import pytest
-from runs import asked_for
+
+from tests.helpers import launch_files
+from tests.helpers.runs import asked_for
 
 PATIENCE = 600.0  # s
 

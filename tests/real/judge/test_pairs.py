@@ -8,10 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 import pytest
-from corpus_pairs import LEDGER, PAIR_LIST, Pair, differing, read, recorded, run
-from ledger import Ledger
-from runtimes import version
-from verdicts import control
+
+from tests.helpers.corpus_pairs import LEDGER, PAIR_LIST, Pair, differing, read, recorded, run
+from tests.helpers.ledger import Ledger
+from tests.helpers.runtimes import version
+from tests.helpers.verdicts import control
 
 BEARS = 0.05  # s that a process may stand still
 

@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from hand_ins import NO_RUNS, Table, exchange
-from listings_in_page import LISTINGS, Cell, open_tutorial
-from looks import faults
 from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize
-from readers import reader
+
+from tests.helpers.hand_ins import NO_RUNS, Table, exchange
+from tests.helpers.listings_in_page import LISTINGS, Cell, open_tutorial
+from tests.helpers.looks import faults
+from tests.helpers.readers import reader
 
 LARGE = ViewportSize(width=1280, height=900)
 

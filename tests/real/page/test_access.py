@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from answers import CELLS, ON_PAGE, number_of
-from axe import COLOURS, violations
-from listings_in_page import Cell, open_exercise, open_tutorial
-from looks import FAINT, faults
 from playwright.sync_api import Browser, Page, expect
-from readers import reader
+
+from tests.helpers.answers import CELLS, ON_PAGE, number_of
+from tests.helpers.axe import COLOURS, violations
+from tests.helpers.listings_in_page import Cell, open_exercise, open_tutorial
+from tests.helpers.looks import FAINT, faults
+from tests.helpers.readers import reader
 
 pytestmark = pytest.mark.shares(10)
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from answers import number_of
-from axe import in_both_schemes
-from hand_ins import HTML, WRONG, Table, handed_in
-from listings_in_page import TIMER, TUTORIAL, Cell, link, node, open_tutorial
 from playwright.sync_api import Page, expect
+
+from tests.helpers.answers import number_of
+from tests.helpers.axe import in_both_schemes
+from tests.helpers.hand_ins import HTML, WRONG, Table, handed_in
+from tests.helpers.listings_in_page import TIMER, TUTORIAL, Cell, link, node, open_tutorial
 
 pytestmark = pytest.mark.shares(10)
 

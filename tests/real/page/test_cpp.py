@@ -8,13 +8,13 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from listings_in_page import Cell, unfold
 from playwright.sync_api import BrowserContext, Page, expect
-from tree import EXAMPLES
 
 from rosspin import simulate
 from rosspin.measures import by_source, describe_timeline
 from rosspin.results.pinned import as_test
+from tests.helpers.listings_in_page import Cell, unfold
+from tests.helpers.tree import EXAMPLES
 
 pytestmark = pytest.mark.shares(10)
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import pytest
-from answers import TASKS
-from axe import in_both_schemes
-from listings_in_page import Cell, open_exercise, unfold
-from looks import TOO_WIDE
 from playwright.sync_api import Page, expect
 
 from rosspin.exercises import EXERCISES, check
 from rosspin.exercises.own import Lesson
+from tests.helpers.answers import TASKS
+from tests.helpers.axe import in_both_schemes
+from tests.helpers.listings_in_page import Cell, open_exercise, unfold
+from tests.helpers.looks import TOO_WIDE
 
 pytestmark = pytest.mark.shares(5)
 

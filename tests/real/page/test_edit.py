@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 
 import pytest
-from listings_in_page import (
+from playwright.sync_api import Page, expect
+
+from tests.helpers.listings_in_page import (
     LISTINGS,
     OTHER,
     TIMER,
     Cell,
     open_tutorial,
 )
-from playwright.sync_api import Page, expect
-from tree import EXAMPLES
+from tests.helpers.tree import EXAMPLES
 
 pytestmark = pytest.mark.shares(10)
 

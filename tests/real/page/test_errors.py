@@ -8,14 +8,15 @@ from __future__ import annotations
 import re
 
 import pytest
-from listings_in_page import (
+from playwright.sync_api import BrowserContext, Page, expect
+
+from tests.helpers.listings_in_page import (
     TIMER,
     Cell,
     node,
     node2,
     open_tutorial,
 )
-from playwright.sync_api import BrowserContext, Page, expect
 
 pytestmark = pytest.mark.shares(10)
 

@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from answers import CELLS, NOTEBOOKS, ON_PAGE, answer_in, number_of
-from exercises_in_page import is_checked, open_page
-from listings_in_page import Cell, link, open_exercise
 from playwright.sync_api import Browser, Page, expect
-from readers import reader
+
+from tests.helpers.answers import CELLS, NOTEBOOKS, ON_PAGE, answer_in, number_of
+from tests.helpers.exercises_in_page import is_checked, open_page
+from tests.helpers.listings_in_page import Cell, link, open_exercise
+from tests.helpers.readers import reader
 
 pytestmark = pytest.mark.shares(10)
 

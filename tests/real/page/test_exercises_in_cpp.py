@@ -8,12 +8,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from answers import CELLS, IN_CPP
-from listings_in_page import Cell, open_exercise
 from playwright.sync_api import Browser, Page, expect
-from readers import reader
 
 from rosspin.hand_ins.files import read
+from tests.helpers.answers import CELLS, IN_CPP
+from tests.helpers.listings_in_page import Cell, open_exercise
+from tests.helpers.readers import reader
 
 pytestmark = pytest.mark.shares(5)
 

@@ -6,15 +6,15 @@ import re
 from pathlib import Path
 
 import pytest
-from axe import COLOURS, violations
-from figures import FIGURES, SHOWN, SPINNER_ROS2, Figure, Kind, opened, probes, some_kinds
-from figures_in_chromium import moves_by_keyboard, moves_by_pointer
-from looks import FAINT, TOO_WIDE, Scheme, look
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
-from readers import asks_for_no_more, reader
 
 from rosspin import Tick
 from rosspin.plots import with_handle
+from tests.helpers.axe import COLOURS, violations
+from tests.helpers.figures import FIGURES, SHOWN, SPINNER_ROS2, Figure, Kind, opened, probes, some_kinds
+from tests.helpers.figures_in_chromium import moves_by_keyboard, moves_by_pointer
+from tests.helpers.looks import FAINT, TOO_WIDE, Scheme, look
+from tests.helpers.readers import asks_for_no_more, reader
 
 pytestmark = pytest.mark.shares(10)
 

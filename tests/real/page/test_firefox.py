@@ -5,18 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from answers import number_of
-from attacks import ATTACK, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
-from figures import FIGURES
-from figures_in_firefox import moves
-from firefox import Tab
-from floods import AS_MUCH, SIZE
-from hand_ins import ENDLESS, RIGHT, TEACHERS, WRONG, handed_in, impatient
-from in_chromium import served
-from listings_in_page import link
-from tree import ROOT
 
+from benchmarks.in_chromium import served
 from rosspin import simulate
+from tests.helpers.answers import number_of
+from tests.helpers.attacks import ATTACK, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
+from tests.helpers.figures import FIGURES
+from tests.helpers.figures_in_firefox import moves
+from tests.helpers.firefox import Tab
+from tests.helpers.floods import AS_MUCH, SIZE
+from tests.helpers.hand_ins import ENDLESS, RIGHT, TEACHERS, WRONG, handed_in, impatient
+from tests.helpers.listings_in_page import link
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(10)
 

@@ -11,10 +11,11 @@ import zlib
 from typing import Any
 
 import pytest
-from floods import AS_MUCH, BATCH, SIZE, TOO_MUCH
-from listings_in_page import OTHER, TIMER, Cell, have_workers, node, open_tutorial
-from log_page import SHOW, LogPage
 from playwright.sync_api import BrowserContext, Page, expect
+
+from tests.helpers.floods import AS_MUCH, BATCH, SIZE, TOO_MUCH
+from tests.helpers.listings_in_page import OTHER, TIMER, Cell, have_workers, node, open_tutorial
+from tests.helpers.log_page import SHOW, LogPage
 
 pytestmark = pytest.mark.shares(10)
 

@@ -9,11 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import number_of
-from hand_ins import EXERCISE, EXERCISES, RIGHT, TEACHERS, WRONG, Table
-from listings_in_page import Cell
 from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Page, expect
-from readers import reader
+
+from tests.helpers.answers import number_of
+from tests.helpers.hand_ins import EXERCISE, EXERCISES, RIGHT, TEACHERS, WRONG, Table
+from tests.helpers.listings_in_page import Cell
+from tests.helpers.readers import reader
 
 pytestmark = pytest.mark.shares(10)
 

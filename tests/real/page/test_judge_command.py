@@ -6,9 +6,10 @@ import csv
 from pathlib import Path
 
 import pytest
-from answers import CELLS, WRONG, written
-from command_line import run
-from hand_ins import Table, handed_in
+
+from tests.helpers.answers import CELLS, WRONG, written
+from tests.helpers.command_line import run
+from tests.helpers.hand_ins import Table, handed_in
 
 pytestmark = pytest.mark.shares(10)
 

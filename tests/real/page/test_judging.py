@@ -8,11 +8,12 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from answers import CELLS, IN_CPP, answer_in, number_of
-from hand_ins import ENDLESS, EXERCISES, HTML, RIGHT, WRONG, Table, handed_in, impatient
-from listings_in_page import have_workers
-from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import BrowserContext, FilePayload, Page, expect
+
+from tests.helpers.answers import CELLS, IN_CPP, answer_in, number_of
+from tests.helpers.hand_ins import ENDLESS, EXERCISES, HTML, RIGHT, WRONG, Table, handed_in, impatient
+from tests.helpers.listings_in_page import have_workers
+from tests.helpers.looks import FAINT, SCHEMES, TOO_WIDE, look
 
 pytestmark = pytest.mark.shares(10)
 

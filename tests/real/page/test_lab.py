@@ -16,9 +16,9 @@ from urllib.request import Request, urlopen
 
 import pytest
 from playwright.sync_api import BrowserContext, expect
-from tree import ROOT
 
 from rosspin.real.ros1 import _free_port
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(10)
 

@@ -6,7 +6,9 @@ import re
 from pathlib import Path
 
 import pytest
-from listings_in_page import (
+from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
+
+from tests.helpers.listings_in_page import (
     IN_PYTHON,
     LISTINGS,
     TIMER,
@@ -16,10 +18,9 @@ from listings_in_page import (
     open_tutorial,
     unfold,
 )
-from looks import FAINT, SCHEMES, TOO_WIDE, look
-from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
-from readers import asks_for_no_more, reader, until
-from tree import EXAMPLES
+from tests.helpers.looks import FAINT, SCHEMES, TOO_WIDE, look
+from tests.helpers.readers import asks_for_no_more, reader, until
+from tests.helpers.tree import EXAMPLES
 
 pytestmark = pytest.mark.shares(10)
 

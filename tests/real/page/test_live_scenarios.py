@@ -8,23 +8,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-import corpus_pairs
-import corpus_ros1
-import corpus_ros2
 import pytest
-from corpus import Scenario
-from corpus_checks import each
-from corpus_pairs import PAIR_LIST, Pair
-from ledger import SHARES
-from listings_in_page import lines_of
-from looks import faults
 from playwright.sync_api import Browser, Page
-from readers import reader
-from sandboxes import Sandbox, check
-from shares import SHARE, is_in
-from tree import ROOT
 
 from rosspin import Node, simulate
+from tests.helpers import corpus_pairs, corpus_ros1, corpus_ros2
+from tests.helpers.corpus import Scenario
+from tests.helpers.corpus_checks import each
+from tests.helpers.corpus_pairs import PAIR_LIST, Pair
+from tests.helpers.ledger import SHARES
+from tests.helpers.listings_in_page import lines_of
+from tests.helpers.looks import faults
+from tests.helpers.readers import reader
+from tests.helpers.sandboxes import Sandbox, check
+from tests.helpers.shares import SHARE, is_in
+from tests.helpers.tree import ROOT
 
 
 @pytest.fixture(scope="module")

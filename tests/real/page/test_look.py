@@ -8,12 +8,13 @@ import sys
 from pathlib import Path
 
 import pytest
-from axe import in_both_schemes
-from log_page import SHOW, LogPage
-from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Page, expect
-from readers import reader
-from tree import TESTS
+
+from tests.helpers.axe import in_both_schemes
+from tests.helpers.log_page import SHOW, LogPage
+from tests.helpers.looks import FAINT, SCHEMES, TOO_WIDE, look
+from tests.helpers.readers import reader
+from tests.helpers.tree import TESTS
 
 pytestmark = pytest.mark.shares(10)
 

@@ -8,15 +8,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, number_of
-from attacks import ATTACK, FORGERIES, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
-from hand_ins import EXERCISE, NO_RUNS, TEACHERS, Table, exchange, handed_in, solves_nothing
-from in_chromium import launched, served
-from listings_in_page import OTHER, TIMER, TUTORIAL, Cell, link, open_tutorial
-from looks import faults
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
+from benchmarks.in_chromium import launched, served
 from rosspin import doctor
+from tests.helpers.answers import CELLS, number_of
+from tests.helpers.attacks import ATTACK, FORGERIES, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
+from tests.helpers.hand_ins import EXERCISE, NO_RUNS, TEACHERS, Table, exchange, handed_in, solves_nothing
+from tests.helpers.listings_in_page import OTHER, TIMER, TUTORIAL, Cell, link, open_tutorial
+from tests.helpers.looks import faults
 
 pytestmark = pytest.mark.shares(10)
 

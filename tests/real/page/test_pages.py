@@ -8,11 +8,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from axe import in_both_schemes
-from looks import FAINT, TOO_WIDE, faults, look
 from playwright.sync_api import Browser, Page, ViewportSize
-from readers import read_to_the_end, reader
-from tree import SITE
+
+from tests.helpers.axe import in_both_schemes
+from tests.helpers.looks import FAINT, TOO_WIDE, faults, look
+from tests.helpers.readers import read_to_the_end, reader
+from tests.helpers.tree import SITE
 
 # The pictures that leave more than a little of the place that they have beside them. A ring of waits is not made
 # larger: its lettering is that of the text.

@@ -6,9 +6,10 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from figures import FIGURES, opened
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
-from readers import reader
+
+from tests.helpers.figures import FIGURES, opened
+from tests.helpers.readers import reader
 
 pytestmark = pytest.mark.shares(10)
 

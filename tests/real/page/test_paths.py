@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 
 import pytest
-from axe import in_both_schemes
 from playwright.sync_api import Browser, Page, expect
-from readers import reader
+
+from tests.helpers.axe import in_both_schemes
+from tests.helpers.readers import reader
 
 
 def test_the_path_that_was_chosen_is_told_and_leads_on(page: Page, address: str) -> None:

@@ -6,7 +6,11 @@ import re
 from pathlib import Path
 
 import pytest
-from listings_in_page import (
+from playwright.sync_api import Browser, BrowserContext, Page, expect
+
+from rosspin import simulate
+from rosspin.measures import describe_timeline
+from tests.helpers.listings_in_page import (
     IN_PYTHON,
     LISTINGS,
     OTHER,
@@ -17,13 +21,9 @@ from listings_in_page import (
     node2,
     unfold,
 )
-from notebook_nodes import NODES
-from playwright.sync_api import Browser, BrowserContext, Page, expect
-from readers import reader
-from tree import EXAMPLES
-
-from rosspin import simulate
-from rosspin.measures import describe_timeline
+from tests.helpers.notebook_nodes import NODES
+from tests.helpers.readers import reader
+from tests.helpers.tree import EXAMPLES
 
 pytestmark = pytest.mark.shares(10)
 

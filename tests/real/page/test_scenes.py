@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 
 import pytest
-from axe import in_both_schemes
-from listings_in_page import TIMER, Cell, unfold
 from playwright.sync_api import Browser, Locator, Page, expect
-from readers import reader
+
+from tests.helpers.axe import in_both_schemes
+from tests.helpers.listings_in_page import TIMER, Cell, unfold
+from tests.helpers.readers import reader
 
 pytestmark = pytest.mark.shares(10)
 

@@ -7,7 +7,11 @@ from pathlib import Path
 from urllib.parse import parse_qs, urlsplit
 
 import pytest
-from listings_in_page import (
+from playwright.sync_api import BrowserContext, Page, Route, expect
+
+from rosspin import simulate
+from rosspin.results.pinned import as_test
+from tests.helpers.listings_in_page import (
     IN_PYTHON,
     LISTINGS,
     OTHER,
@@ -18,12 +22,8 @@ from listings_in_page import (
     link,
     node,
 )
-from looks import faults
-from playwright.sync_api import BrowserContext, Page, Route, expect
-from tree import EXAMPLES
-
-from rosspin import simulate
-from rosspin.results.pinned import as_test
+from tests.helpers.looks import faults
+from tests.helpers.tree import EXAMPLES
 
 pytestmark = pytest.mark.shares(10)
 

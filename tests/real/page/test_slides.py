@@ -6,13 +6,14 @@ import re
 from pathlib import Path
 
 import pytest
-from author import copied, typed
-from axe import COLOURS, violations
-from in_chromium import served
-from listings_in_page import Cell
-from looks import faults, look
 from playwright.sync_api import BrowserContext, Page, ViewportSize, expect
-from tree import ROOT
+
+from benchmarks.in_chromium import served
+from tests.helpers.author import copied, typed
+from tests.helpers.axe import COLOURS, violations
+from tests.helpers.listings_in_page import Cell
+from tests.helpers.looks import faults, look
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(10)
 

@@ -9,7 +9,10 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from listings_in_page import (
+from playwright.sync_api import BrowserContext, Page, expect
+
+from rosspin import simulate
+from tests.helpers.listings_in_page import (
     LISTINGS,
     OTHER,
     ROS2,
@@ -19,11 +22,8 @@ from listings_in_page import (
     have_workers,
     open_tutorial,
 )
-from playwright.sync_api import BrowserContext, Page, expect
-from readers import asks_for_no_more, until
-from tree import EXAMPLES
-
-from rosspin import simulate
+from tests.helpers.readers import asks_for_no_more, until
+from tests.helpers.tree import EXAMPLES
 
 pytestmark = pytest.mark.shares(10)
 

@@ -7,10 +7,11 @@ import re
 from pathlib import Path
 
 import pytest
-from answers import CELLS, number_of
-from hand_ins import EXERCISE, RIGHT, WRONG
-from listings_in_page import TIMER, Cell, link, node, open_tutorial
 from playwright.sync_api import BrowserContext, Page, expect
+
+from tests.helpers.answers import CELLS, number_of
+from tests.helpers.hand_ins import EXERCISE, RIGHT, WRONG
+from tests.helpers.listings_in_page import TIMER, Cell, link, node, open_tutorial
 
 pytestmark = pytest.mark.shares(10)
 

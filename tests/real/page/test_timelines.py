@@ -6,7 +6,12 @@ import re
 from html import unescape
 
 import pytest
-from listings_in_page import (
+from playwright.sync_api import Browser, Page, expect
+
+from rosspin import simulate
+from rosspin.measures import describe_timeline
+from rosspin.site.live import plot
+from tests.helpers.listings_in_page import (
     LISTINGS,
     TIMER,
     Cell,
@@ -14,13 +19,8 @@ from listings_in_page import (
     node2,
     open_tutorial,
 )
-from playwright.sync_api import Browser, Page, expect
-from readers import reader
-from tree import EXAMPLES
-
-from rosspin import simulate
-from rosspin.measures import describe_timeline
-from rosspin.site.live import plot
+from tests.helpers.readers import reader
+from tests.helpers.tree import EXAMPLES
 
 pytestmark = pytest.mark.shares(10)
 

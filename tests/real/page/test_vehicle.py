@@ -6,10 +6,11 @@ import json
 import re
 
 import pytest
-from axe import in_both_schemes
-from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
-from readers import reader
+
+from tests.helpers.axe import in_both_schemes
+from tests.helpers.looks import FAINT, SCHEMES, TOO_WIDE, look
+from tests.helpers.readers import reader
 
 pytestmark = pytest.mark.shares(10)
 

@@ -14,13 +14,13 @@ from pathlib import Path
 from zipfile import ZipFile
 
 import pytest
-from axe import violations
-from listings_in_page import Cell
-from looks import TOO_WIDE, faults, look
 from playwright.sync_api import BrowserContext, Page, expect
-from tree import ROOT
 
 from rosspin.site.zipped import START
+from tests.helpers.axe import violations
+from tests.helpers.listings_in_page import Cell
+from tests.helpers.looks import TOO_WIDE, faults, look
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(10)
 

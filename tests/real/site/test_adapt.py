@@ -8,13 +8,13 @@ import textwrap
 from pathlib import Path
 
 import pytest
-from author import HOW_TO, copied, listed_in, places_in, typed, without_runs
-from small_sites import build
-from small_sites import site as small_site
-from tree import ROOT
 
 from rosspin.site.claims import Facts, Stale, report, sentence_near
 from rosspin.site.outputs import stale_copies, stale_picture, write
+from tests.helpers.author import HOW_TO, copied, listed_in, places_in, typed, without_runs
+from tests.helpers.small_sites import build
+from tests.helpers.small_sites import site as small_site
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(5)
 

@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 import pytest
 from bs4 import BeautifulSoup
-from tree import ROOT
 
 from rosspin import simulate
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(5)
 

@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from lesson import FILES, HOW_TO
-from tree import ROOT
 
 from rosspin.site.claims import Stale
 from rosspin.site.lessons import counted, stale_files
+from tests.helpers.lesson import FILES, HOW_TO
+from tests.helpers.tree import ROOT
 
 LESSON = FILES["lessons/faster_heartbeat.py"]
 PAGE = FILES["docs/heartbeat.rst"]

@@ -12,9 +12,9 @@ from xml.etree import ElementTree
 
 import pytest
 from bs4 import BeautifulSoup
-from tree import ROOT
 
 from rosspin.site.published import Published, where
+from tests.helpers.tree import ROOT
 
 pytestmark = pytest.mark.shares(5)
 

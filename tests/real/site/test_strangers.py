@@ -8,8 +8,9 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from surroundings import clean
-from tree import ROOT
+
+from tests.helpers.surroundings import clean
+from tests.helpers.tree import ROOT
 
 # What stands in people's .bashrc: ROS's variables, Python's, the language's, the terminal's, the tools'.
 BASHRC = {
