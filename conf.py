@@ -26,7 +26,7 @@ exclude_patterns = [".venv", "build"]  # not walked through in search of pages
 
 nb_execution_mode = "force"  # runs a notebook whenever its page is read
 nb_execution_allow_errors = True  # a cell that fails is listed with all else that no longer holds, at the end
-nb_execution_timeout = 300  # only a hang should end here, not a busy machine
+nb_execution_timeout = 1200  # only a hang should end here, not a busy machine
 nb_render_markdown_format = "gfm"  # CommonMark has no tables
 nb_merge_streams = True  # a console mixes stdout and stderr
 nb_code_prompt_show, nb_code_prompt_hide = "Show the code", "Hide the code"  # of cells that are folded
