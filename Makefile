@@ -115,7 +115,7 @@ test: $(VENV:=-for-test) $(NPM)-for-test html
 # The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
 # and the ledger of it, is rewritten; commit that.
 judge: $(VENV:=-for-test) html
-	"$(BIN)/pytest" tests/real/judge tests/real --keep-duplicates --hypothesis-profile judge --conclusive $(ARGS)
+	"$(BIN)/pytest" tests/real --override-ini norecursedirs=.* --hypothesis-profile judge --conclusive $(ARGS)
 
 # The site, and a page that says how to open it, for a stick or a learning platform.
 zip: html
