@@ -158,8 +158,7 @@ class Node(Parameters):
         self._logger = logging.get_logger(own.logger_name)
 
         # What its class defines under these names is met where rclpy asks for them.
-        own_kind = type(self)
-        self._rosspin_replaced = [name for name in _SERVED if getattr(own_kind, name) is not getattr(Node, name)]
+        self._rosspin_replaced = [name for name in _SERVED if self._rosspin_has_own(name)]
         self._publishers: list[Publisher] = []
         self._subscriptions: list[Subscription] = []
         self._clients: list[Client] = []
@@ -187,7 +186,7 @@ class Node(Parameters):
             own.at_end.append(partial(logging.leave_rosout, logs, own.logger_name))
         own.at_end.append(own.topics.end)
         with self.handle:  # as rclpy does, which makes the publisher of /parameter_events now
-            if own_kind.create_publisher is not Node.create_publisher:
+            if self._rosspin_has_own("create_publisher", "resolve_topic_name", "default_callback_group"):
                 self._parameter_event_publisher = own.topics.make_with(self.create_publisher)
         own.topics.look()
         super().__init__(overrides, allow_undeclared_parameters)
@@ -207,11 +206,14 @@ class Node(Parameters):
         # Whoever looks for these services first may be another process, which would import classes of its own.
         self._rosspin_lacking = import_module("rcl_interfaces.srv") if start_parameter_services else None
         is_asked = own.full_name in own.context.state.world.graph.part(Ends).asked
-        usual = own_kind.create_service is Node.create_service and own_kind.destroy_service is Node.destroy_service
-        if is_asked or not usual:
+        if is_asked or self._rosspin_has_own("create_service", "destroy_service", "get_name", "default_callback_group"):
             self._rosspin_start_services()
         if enable_logger_service:
             LoggingService(self)
+
+    def _rosspin_has_own(self, *names: str) -> bool:
+        """Whether its class defines any of these instead of Node's."""
+        return any(getattr(type(self), name) is not getattr(Node, name) for name in names)
 
     # --- what it is ---------------------------------------------------------------------------------------------------
 
@@ -367,20 +369,16 @@ class Node(Parameters):
     def handle(self, value: Any) -> None:
         raise AttributeError("handle cannot be modified after node creation")
 
-    def _rosspin_before_setting(self) -> dict[str, Parameter]:
-        self._rosspin.check()
-        return dict(self._parameters) if self._parameter_event_publisher else {}
-
     def _rosspin_tell_parameters(
-        self, before: dict[str, Parameter], parameters: list[Parameter], declared: bool
+        self, node: str, new: list[Parameter], changed: list[Parameter], deleted: list[Parameter]
     ) -> None:
         own = self._rosspin
         if not own.context.ok():
             raise RCLError("Failed to publish: publisher's context is invalid")
-        for parameter in parameters:
+        for parameter in (*new, *changed):
             check_value(parameter)
         if publisher := self._parameter_event_publisher:
-            own.topics.tell_parameters(publisher, self._clock.now(), before, parameters, declared)
+            own.topics.tell_parameters(publisher, self._clock.now(), node, new, changed, deleted)
 
     def _rosspin_nudge(self) -> None:
         """Let the executor look again: something may have become due."""
@@ -499,22 +497,27 @@ class Node(Parameters):
 
     def _rosspin_prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, options: Any) -> tuple[str, QoSProfile]:
         """Return the topic's full name and the profile of what should be created."""
-        self._rosspin.check()
         if isinstance(qos, int):
             if qos < 0:
                 raise ValueError("history depth must be greater than or equal to zero")
             qos = QoSProfile(depth=qos)
         if not isinstance(qos, QoSProfile):
             raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
-        self._rosspin_check_text(topic)
+        try:
+            final_topic = self.resolve_topic_name(topic)
+        except RuntimeError:
+            try:
+                self._rosspin_resolve(topic)
+            except NameValidationException as error:
+                raise error from None
+            raise
+        if options is not None:
+            kind = Publisher if what == "publisher" else Subscription
+            _declare_qos_parameters(kind, self, final_topic, qos, options)
         check_is_valid_msg_type(msg_type)
         if not self._context.ok():
             raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
-        full_name = self._rosspin_resolve(topic)
-        if options is not None:
-            kind = Publisher if what == "publisher" else Subscription
-            _declare_qos_parameters(kind, self, full_name, qos, options)
-        return full_name, qos
+        return self._rosspin_resolve(topic), qos
 
     def _rosspin_other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
         """Return the type with which this process uses a topic, in DDS's words, if it is not ``msg_type``."""
@@ -535,17 +538,13 @@ class Node(Parameters):
 
     def _rosspin_try_resolve(self, name: str, only_expand: bool, is_service: bool = False) -> str:
         self._rosspin.check()
-        self._rosspin_check_text(name, only_expand, is_service)
+        if not isinstance(name, str):
+            signature = "(arg0: rclpy::Node, arg1: str, arg2: bool, arg3: bool) -> str"
+            raise not_accepted(signature, "Node", name, only_expand, is_service, function="rclpy_resolve_name")
         try:
             return self._rosspin_resolve(name, only_expand, is_service)
         except NameValidationException as error:
             raise RCLError(f"failed to resolve name: {error.error_msg}") from None
-
-    @staticmethod
-    def _rosspin_check_text(name: Any, only_expand: bool = False, is_service: bool = False) -> None:
-        if not isinstance(name, str):
-            signature = "(arg0: rclpy::Node, arg1: str, arg2: bool, arg3: bool) -> str"
-            raise not_accepted(signature, "Node", name, only_expand, is_service, function="rclpy_resolve_name")
 
     def _rosspin_resolve(self, name: str, only_expand: bool = False, is_service: bool = False) -> str:
         own = self._rosspin
@@ -632,7 +631,7 @@ class Node(Parameters):
         else:
             name = names.expand_topic_name(name, self.get_name(), self.get_namespace())
             names.validate_full_topic_name(name)
-            name = self.resolve_topic_name(name)
+            name = self._rosspin_resolve(name)
             own_topics.look(self._rosspin, name)
         what = "publishers" if kind is PublisherEnd else "subscriptions"
         self._rosspin_check_context(f"Failed to get information by topic for {what}")
@@ -820,7 +819,7 @@ class Node(Parameters):
         As on a real ROS, others know it as long as one of these is there.
         """
         self._rosspin_lacking = None
-        if type(self).destroy_publisher is not Node.destroy_publisher:
+        if self._rosspin_has_own("destroy_publisher"):
             self._rosspin.topics.make(own_topics.PARAMETER_EVENTS)
         self._parameter_event_publisher = None
         all_entities: list[tuple[list[Any], Callable[[Any], Any]]] = [

@@ -89,27 +89,19 @@ class OwnTopics:
 
     def tell_parameters(
         self,
-        publisher: Publisher | None,
+        publisher: Publisher,
         stamp: Time,
-        before: dict[str, Parameter],
-        parameters: list[Parameter],
-        declared: bool,
+        node: str,
+        new: list[Parameter],
+        changed: list[Parameter],
+        deleted: list[Parameter],
     ) -> None:
-        """Publish which parameters are set, or ``declared``, now, next to those that were ``before``."""
-        if publisher:
-            event = self._types.ParameterEvent(node=self._node.full_name)
-            event.stamp = stamp.to_msg()
-            unset = Parameter.Type.NOT_SET
-            for parameter in parameters:
-                had = parameter.name in before and before[parameter.name].type_ is not unset
-                if declared or parameter.type_ is not unset:
-                    parameters = event.changed_parameters if had else event.new_parameters
-                elif had:
-                    parameters = event.deleted_parameters
-                else:
-                    continue
-                parameters.append(parameter.to_parameter_msg())
-            publisher.publish(event)
+        """Publish what has been set in a node."""
+        event = self._types.ParameterEvent(stamp=stamp.to_msg(), node=node)
+        event.new_parameters = [each.to_parameter_msg() for each in new]
+        event.changed_parameters = [each.to_parameter_msg() for each in changed]
+        event.deleted_parameters = [each.to_parameter_msg() for each in deleted]
+        publisher.publish(event)
 
     def tell_log(self, level: int, name: str, message: str, frame: FrameType) -> None:
         """Publish a message of the node's logger, or of one below it. ``frame`` is the call."""

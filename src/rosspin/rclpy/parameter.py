@@ -282,7 +282,7 @@ class Parameters:
 
     def get_parameter(self, name: str) -> Parameter:
         """Return a parameter. Raises ParameterNotDeclaredException, or ParameterUninitializedException if not set."""
-        if name in self._parameters:
+        if self.has_parameter(name):
             parameter = self._parameters[name]
             if parameter.type_ is _Type.NOT_SET and not self._descriptors[name].dynamic_typing:
                 raise ParameterUninitializedException(name)
@@ -299,10 +299,9 @@ class Parameters:
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
         """Return a parameter, or the alternative (default: one not set) if it is not declared or has no value."""
-        found = self._parameters.get(name)
-        if found is None or found.type_ is _Type.NOT_SET:
-            return Parameter(name, _Type.NOT_SET) if alternative_value is None else alternative_value
-        return found
+        if self.has_parameter(name) and self._parameters[name].type_ is not _Type.NOT_SET:
+            return self._parameters[name]
+        return Parameter(name, _Type.NOT_SET) if alternative_value is None else alternative_value
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
         """Return the parameters below a prefix, keyed by the rest of their names."""
@@ -311,7 +310,7 @@ class Parameters:
 
     def get_parameter_type(self, name: str) -> Any:
         """The number of a parameter's type."""
-        if name in self._parameters:
+        if self.has_parameter(name):
             return self._parameters[name].type_.value
         if self._allow_undeclared_parameters:
             return _Type.NOT_SET
@@ -338,16 +337,16 @@ class Parameters:
         """
         if not self.has_parameter(name):
             return self.get_parameter(name).get_parameter_value()
-        if self._descriptors[name].read_only:
+        if self.describe_parameter(name).read_only:
             raise ParameterImmutableException(name)
-        current = self.get_parameter(name)
-        if self._rosspin_set_parameters([current], {name: descriptor}) is not None:
-            if alternative_value is not None:
-                kind = import_module("rcl_interfaces.msg").Parameter
-                current = Parameter.from_parameter_msg(kind(name=name, value=alternative_value))
-            reason = self._rosspin_set_parameters([current], {name: descriptor})
-            if reason is not None:
-                raise InvalidParameterValueException(name, current.value, reason)
+        value = self.get_parameter(name)
+        if (reason := self._rosspin_refused(value, descriptor, False)) is not None and alternative_value is not None:
+            kind = import_module("rcl_interfaces.msg").Parameter
+            value = Parameter.from_parameter_msg(kind(name=name, value=alternative_value))
+            reason = self._rosspin_refused(value, descriptor, False)
+        if reason is not None:
+            raise InvalidParameterValueException(name, value.value, reason)
+        self._parameters[name], self._descriptors[name] = value, descriptor
         return self.get_parameter(name).get_parameter_value()
 
     def describe_parameters(self, names: list[str]) -> list[Any]:
@@ -382,10 +381,13 @@ class Parameters:
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[Any]:
         """Set parameters one by one. Return a SetParametersResult for each. Raises ParameterNotDeclaredException."""
-        return [self.set_parameters_atomically([parameter]) for parameter in parameter_list]
+        return [self._set_parameters_atomically([parameter]) for parameter in parameter_list]
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> Any:
         """Set all or none. Return one SetParametersResult. Raises ParameterNotDeclaredException."""
+        return self._set_parameters_atomically(parameter_list)
+
+    def _set_parameters_atomically(self, parameter_list: list[Parameter]) -> Any:
         if self._pre_set_parameters_callbacks:
             parameter_list = [
                 each for callback in self._pre_set_parameters_callbacks for each in callback(parameter_list)
@@ -417,10 +419,15 @@ class Parameters:
                 return "Callback returned an invalid type"
             if not result.successful:
                 return str(result.reason)
-        before = self._rosspin_before_setting()
+        namespace = self.get_namespace()
+        path = namespace + self.get_name() if namespace == "/" else namespace + "/" + self.get_name()
+        new: list[Parameter] = []
+        changed: list[Parameter] = []
+        deleted: list[Parameter] = []
         for parameter in parameters:
             name = parameter.name
             if descriptors is None and parameter.type_ is _Type.NOT_SET:
+                deleted.append(parameter)
                 self._parameters.pop(name, None)
                 self._descriptors.pop(name, None)
                 continue
@@ -428,20 +435,25 @@ class Parameters:
                 self._descriptors[name] = descriptors[name]
             elif name not in self._descriptors:
                 self._descriptors[name] = _Descriptor(name, dynamic_typing=True)
+            (new if self.get_parameter_or(name).type_ is _Type.NOT_SET else changed).append(parameter)
             self._parameters[name] = parameter
-        self._rosspin_tell_parameters(before, parameters, descriptors is not None)
+        self._rosspin_tell_parameters(path, new, changed, deleted)
         for callback in self._post_set_parameters_callbacks:
             callback(parameters)
         return None
 
-    def _rosspin_before_setting(self) -> dict[str, Parameter]:
-        """Return the parameters that there are. Raises InvalidHandle if they can be set no more."""
+    def get_name(self) -> str:
+        """The node's name."""
+        raise NotImplementedError
+
+    def get_namespace(self) -> str:
+        """The node's namespace."""
         raise NotImplementedError
 
     def _rosspin_tell_parameters(
-        self, before: dict[str, Parameter], parameters: list[Parameter], declared: bool
+        self, node: str, new: list[Parameter], changed: list[Parameter], deleted: list[Parameter]
     ) -> None:
-        """Tell that parameters are set, or declared; ``before`` are those that there were. Raises RCLError."""
+        """Tell what has been set in a node. Raises RCLError."""
         raise NotImplementedError
 
     def _rosspin_refused(self, parameter: Parameter, descriptor: Any, check_read_only: bool) -> str | None:
