@@ -73,6 +73,7 @@ OWN_WORDS = {
     "no_file.launch.py": "/nowhere/lost.launch.py: No such file or directory",
     "no_keyword.launch.py": "Node.__init__() got an unexpected keyword argument 'colour'",
     "no_name.launch.py": "cannot import name 'Lost' from 'launch.actions'",
+    "no_parameter_file.launch.py": "there is no parameter file lost.yaml",
     "no_package.launch.py": "package 'nowhere' not found around the launch file",
     "no_share.launch.py": "package 'nowhere' not found around the launch file",
     "root.launch.xml": "a launch file begins with <launch>, not with <lunch>",
@@ -149,54 +150,14 @@ def test_what_is_not_simulated_is_named_with_its_place(launched: Write, action: 
         simulate(path, 1)
 
 
-def test_an_environment_variable_is_made_longer(launched: Write, write: Any) -> None:
+def test_an_environment_variable_is_made_longer_in_xml(write: Any) -> None:
     """Source: launch/actions/append_environment_variable.py."""
-    path = launched(
-        "SetEnvironmentVariable('A', 'a'), AppendEnvironmentVariable('A', 'b'), AppendEnvironmentVariable('A', 'c', "
-        "prepend=True, separator='-'), AppendEnvironmentVariable('NEW_ONE', 'x', separator='+'), "
-        "LogInfo(msg=EnvironmentVariable('A')), LogInfo(msg=EnvironmentVariable('NEW_ONE'))"
-    )
-    assert "[launch.user]: c-a:b\n[INFO] [launch.user]: x\n" in simulate(path, 1).console
-    write(
+    path = write(
         '<launch><set_env name="A" value="a"/><append_env name="A" value="b" prepend="true" separator="-"/>'
         '<append_env name="A" value="c"/><log message="$(env A)"/></launch>',
         "a.launch.xml",
     )
-    assert "b-a:c\n" in simulate(path.with_name("a.launch.xml"), 1).console
-
-
-PARAMETERS = """
-import rclpy
-rclpy.init()
-node = rclpy.create_node("node", automatically_declare_parameters_from_overrides=True)
-print({name: value.value for name, value in node.get_parameters_by_prefix("").items() if name in ("one", "two")})
-"""
-
-
-def test_parameters_from_a_file_are_those_of_the_nodes_in_scope(launched: Write, write: Any, tmp_path: Path) -> None:
-    """Source: launch_ros/actions/set_parameters_from_file.py."""
-    write(PARAMETERS, "scripts/script.py")
-    file = write("/**:\n  ros__parameters: {one: 1, two: 2}", "all.yaml")
-    node = "Node(package='pkg', executable='script.py', output='screen', parameters=[{'two': 3}])"
-    path = launched(f"GroupAction([SetParametersFromFile({str(file)!r}), SetUseSimTime(True), {node}]), {node}")
-    run = simulate(path, 1)
-    assert sorted(line.partition("] ")[2] for line in run.console.splitlines() if "two" in line) == [
-        "{'one': 1, 'two': 3}",
-        "{'two': 3}",
-    ]
-    lost = launched(f"SetParametersFromFile('lost.yaml'), {node}")
-    with pytest.raises(ValueError, match=r"a\.launch\.py:12: there is no parameter file lost\.yaml"):
-        simulate(lost, 1)
-
-
-@pytest.mark.parametrize(
-    ("value", "why"),
-    [("False", "Failed to set use_sim_time parameter"), ("'true'", "Type 'Type.BOOL' and value 'true' do not agree")],
-)
-def test_use_sim_time_of_the_launch_can_only_be_set(launched: Write, value: str, why: str) -> None:
-    """Source: launch_ros/actions/set_use_sim_time.py."""
-    with pytest.raises(ValueError, match=why):
-        simulate(launched(f"SetUseSimTime({value})"), 1)
+    assert "b-a:c\n" in simulate(path, 1).console
 
 
 def test_a_fault_in_the_midst_ends_the_run(launched: Write) -> None:

@@ -18,7 +18,7 @@ def main():
     print("topic", node.create_publisher(String, "chatter", 1).topic_name, flush=True)
     for name, parameter in sorted(node._parameters.items()):
         value = parameter.value
-        if name not in ("use_sim_time", "start_type_description_service"):
+        if name != "start_type_description_service" and (name, value) != ("use_sim_time", False):
             print("parameter", name, value if isinstance(value, (str, bool, int, float)) else list(value), flush=True)
     for name in ("COLOUR", "SHAPE"):
         if name in os.environ:
