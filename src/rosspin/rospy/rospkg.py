@@ -36,10 +36,10 @@ class RosPack:
     def __init__(self, ros_paths: list[str] | None = None) -> None:
         pass
 
-    @classmethod
-    def get_instance(cls, ros_paths: list[str] | None = None) -> RosPack:
-        """Return one; on a real ROS the same each time, which makes no difference here."""
-        return cls(ros_paths)
+    @staticmethod
+    def get_instance(ros_paths: list[str] | None = None) -> RosPack:
+        """Return the same one each time."""
+        return _ROSPACK
 
     def get_path(self, name: str) -> str:
         """Return the folder of a package. Raises ResourceNotFound."""
@@ -48,6 +48,8 @@ class RosPack:
     def __getattr__(self, name: str) -> Any:
         return refusing("rospkg.RosPack", _OF_ROSPACK)(name)
 
+
+_ROSPACK = RosPack()
 
 _OF_ROSPACK = {
     *("get_custom_cache", "get_depends", "get_depends_on", "get_manifest", "get_ros_paths", "get_rosdeps", "list"),
@@ -72,7 +74,11 @@ def get_pkg_dir(package: str, required: bool = True, ros_root: Any = None, ros_p
         return None
 
 
-class InvalidROSPkgException(Exception):
+class ROSPkgException(Exception):
+    """Something is wrong with a package."""
+
+
+class InvalidROSPkgException(ROSPkgException):
     """There is no such package around the file that asks."""
 
 
@@ -113,7 +119,11 @@ MODULES: dict[str, ModuleType] = {
     "roslib": _module("roslib", "load_manifest"),
     "roslib.message": filling,
     "roslib.names": _names,
-    "roslib.packages": _module("roslib.packages", "InvalidROSPkgException", "get_pkg_dir", lacking=("find_node",)),
+    "roslib.packages": _module(
+        "roslib.packages",
+        *("InvalidROSPkgException", "ROSPkgException", "get_pkg_dir"),
+        lacking=("find_node",),
+    ),
 }
-for _kind, _home in ((ResourceNotFound, "rospkg.common"), (InvalidROSPkgException, "roslib.packages")):
-    _kind.__module__ = _home
+ResourceNotFound.__module__ = "rospkg.common"
+ROSPkgException.__module__ = InvalidROSPkgException.__module__ = "roslib.packages"
