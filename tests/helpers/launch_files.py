@@ -70,8 +70,9 @@ def on_roslaunch(folder: Path, names: Collection[str], patience: float = 0.0) ->
     """Launch files run there; no more wait for a free processor than ``patience`` (s) together."""
     package = folder / "launched"
     shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
-    path = {"ROS_PACKAGE_PATH": f"{folder}:{os.environ.get('ROS_PACKAGE_PATH', '/usr/share')}"}
-    with mock.patch.dict(os.environ, path), ThreadPoolExecutor(AT_MOST) as pool:
+    path = f"{folder}:{os.environ.get('ROS_PACKAGE_PATH', '/usr/share')}"
+    given = {"ROS_PACKAGE_PATH": path, "PYTHONUNBUFFERED": "1"}  # which a launch file asks for
+    with mock.patch.dict(os.environ, given), ThreadPoolExecutor(AT_MOST) as pool:
         try:
             yield Real(package, names, pool, patience)
         finally:
