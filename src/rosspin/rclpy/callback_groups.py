@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from _thread import allocate_lock
 from typing import Any
 from weakref import ref
 
@@ -53,9 +54,9 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
 
     def __init__(self) -> None:
         super().__init__()
-        self._rosspin_turn = [
-            None
-        ]  # taken by the callback that runs: a list's pop() is atomic, and cheaper than a lock
+        self._lock = allocate_lock()  # as in rclpy, where no copy is made of what has one
+        # Taken by the callback that runs: a list's pop() is atomic, and cheaper than a lock.
+        self._rosspin_turn = [None]
 
     def can_execute(self, entity: Any) -> bool:
         return bool(self._rosspin_turn)

@@ -112,6 +112,10 @@ class RcutilsLogger:
         self._rosspin_logs = logs()
         self._rosspin_calls: dict[tuple[str, int, int], _Call] = {}
 
+    def __reduce__(self) -> tuple[type[RcutilsLogger], tuple[str]]:
+        """Let it be copied deeply and pickled, as rclpy's can."""
+        return RcutilsLogger, (self.name,)
+
     def get_child(self, name: str) -> RcutilsLogger:
         """Return the logger with this name below this one. Raises ValueError if the name is empty."""
         if not name:

@@ -435,6 +435,8 @@ class Parameters:
                 self._descriptors[name] = descriptors[name]
             elif name not in self._descriptors:
                 self._descriptors[name] = _Descriptor(name, dynamic_typing=True)
+            if parameter.type_ is _Type.INTEGER_ARRAY and not all(-(2**63) <= each < 2**63 for each in parameter.value):
+                raise OverflowError("int too big to convert")
             (new if self.get_parameter_or(name).type_ is _Type.NOT_SET else changed).append(parameter)
             self._parameters[name] = parameter
         self._rosspin_tell_parameters(path, new, changed, deleted)
@@ -512,8 +514,6 @@ def check_value(parameter: Parameter) -> None:
     value, kind = parameter.value, parameter.type_
     if kind is _Type.INTEGER and not -(2**63) <= value < 2**63:
         raise SystemError("<function ParameterValue.double_value> returned a result with an exception set")
-    if kind is _Type.INTEGER_ARRAY and not all(-(2**63) <= each < 2**63 for each in value):
-        raise OverflowError("int too big to convert")
     if kind is _Type.STRING:
         value.encode()
 

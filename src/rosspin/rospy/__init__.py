@@ -99,6 +99,13 @@ MODULES = {
     "rospy.topics": topics,
 }
 
+# Whoever prints an object sees where its class is on a real ROS. Times stay where pickle finds them after a run, too.
+_HOMES = dict.fromkeys(("Service", "ServiceProxy"), "rospy.impl.tcpros_service")
+for _name in ("rospy.service", "rospy.timer", "rospy.topics"):
+    for _value in [value for value in vars(MODULES[_name]).values() if isinstance(value, type)]:
+        if _value.__module__ == MODULES[_name].__name__:
+            _value.__module__ = _HOMES.get(_value.__name__, _name)
+
 # Few nodes ask for these of genpy.message.
 _FILLING = {"fill_message_args", "get_message_class", "get_printable_message_args", "get_service_class"}
 

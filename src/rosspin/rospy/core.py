@@ -292,10 +292,13 @@ def may_register(kind: str, what: str, name: str) -> bool:
     ``kind`` is publication, subscription or service; ``what`` is the master's word: topic or service.
     """
     if ":" in name or " " in name:
-        why = f"ERROR: parameter [{what}] contains illegal chars"
-        logfatal(f"unable to register {kind} [{name}] with master: {why}")
-        return False
-    return True
+        why = "contains illegal chars"
+    elif name == "/":
+        why = "cannot be the global namespace"
+    else:
+        return True
+    logfatal(f"unable to register {kind} [{name}] with master: ERROR: parameter [{what}] {why}")
+    return False
 
 
 def signal_shutdown(reason: str) -> None:

@@ -71,10 +71,12 @@ class Services:
 
     def register(self, service: Service) -> None:
         """Add a service. Raises ServiceException if the node has one of that name; that one is kept."""
-        first = self._own.setdefault(service.resolved_name, service)
-        self._tell_master()
+        name = service.resolved_name
+        first = self._own.setdefault(name, service)
+        if self.node.initialized:
+            self._tell_master(name)
         if first is not service:
-            raise ServiceException(f"service [{service.resolved_name}] already registered")
+            raise ServiceException(f"service [{name}] already registered")
 
     def unregister(self, name: str, service: Service) -> None:
         """Take a service away. As the master knows of names and nodes only, a later one of this name is lost, too."""
@@ -83,11 +85,9 @@ class Services:
         if self.node.master.services.get(name) is self:
             del self.node.master.services[name]
 
-    def _tell_master(self) -> None:
-        if self.node.initialized:
-            new = [name for name in self._own if self.node.master.services.get(name) is not self]
-            taken = [name for name in new if may_register("service", "service", name)]
-            self.node.master.services.update(dict.fromkeys(taken, self))
+    def _tell_master(self, *names: str) -> None:
+        taken = [name for name in names or self._own if may_register("service", "service", name)]
+        self.node.master.services.update(dict.fromkeys(taken, self))
 
     def _unregister_all(self) -> None:
         for name, service in list(self._own.items()):
