@@ -76,7 +76,7 @@ def test_each_list_counts_its_own(opened: Page, address: str) -> None:
 
 
 def beside_its_link(page: Page, ros: int) -> str:
-    """What the sidebar, where ROS 2 comes first, says beside the link to a page of exercises."""
+    """What the sidebar, where ROS 2 comes first, says next to the link to a page of exercises."""
     links = page.locator(".bd-docs-nav a").filter(has_text=re.compile("^Exercises$"))
     return links.nth(2 - ros).locator("xpath=following-sibling::*[1]").text_content() or ""
 
@@ -93,7 +93,7 @@ def test_the_task_the_listing_and_run_are_on_one_screen(browser: Browser, addres
         assert page.evaluate("document.documentElement.scrollWidth") == width
 
 
-TUTORIALS = ["docs/ros2/tutorial", "docs/ros2/tutorial-timer", "docs/tutorial", "docs/tutorial-timer"]
+TUTORIALS = ["docs/ros2/tutorial", "docs/ros2/tutorial-timer", "docs/tutorial"]
 NOTED = ["drive", "ros2-executors", "ros2-publish", "ros2-timer", "ros2-timer-slow", "timer"]
 
 

@@ -57,10 +57,64 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "geometry_msgs/msg/twist.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/float32.hpp"
+
+using namespace std::chrono_literals;
+
+class DriverCppNode : public rclcpp::Node
+{
+public:
+  DriverCppNode() : Node("driver_cpp_node")
+  {
+    publisher_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
+    subscription_ = create_subscription<std_msgs::msg::Float32>("line", 10,
+        [this](const std_msgs::msg::Float32& message) { lineCallback(message); });
+    steer();
+  }
+
+private:
+  void lineCallback(const std_msgs::msg::Float32& message)
+  {
+    offset_ = message.data;
+  }
+
+  void steer()
+  {
+    geometry_msgs::msg::Twist command;
+    command.linear.x = 2.0;  // m/s
+    command.angular.z = 8.0 * offset_;  // rad/s, to the left
+    publisher_->publish(command);
+  }
+
+  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr publisher_;
+  rclcpp::Subscription<std_msgs::msg::Float32>::SharedPtr subscription_;
+  double offset_ = 0.0;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<DriverCppNode>());
+  rclcpp::shutdown();
+  return 0;
+}
+"""
+
 HINTS = [
     "How often is `steer` called, and when?",
     "`self.create_timer(period, callback)` calls the callback once each period.",
     "The period is 0.1 s, and the callback can be `self.steer` itself.",
+]
+HINTS_CPP = [
+    "How often is `steer` called, and when?",
+    "`create_wall_timer(period, callback)` calls the callback once each period. Keep what it returns.",
+    "The period is `100ms`, and the callback `[this] { steer(); }`.",
 ]
 
 _TURNS = "The commands come often enough. Is the turn 8.0 times the newest offset, as before?"
@@ -138,4 +192,18 @@ WRONG = [
         {"self.steer()\n": "self.create_timer(0.1, self.steer)\n", '"line"': '"lines"'},
         "In each command, the turn is 0",
     ),
+]
+
+SOLUTION_CPP = {
+    "    steer();\n": "    timer_ = create_wall_timer(100ms, [this] { steer(); });\n",
+    "  double offset_": "  rclcpp::TimerBase::SharedPtr timer_;\n  double offset_",
+}
+
+RIGHT_CPP = [
+    {"100ms": "50ms"},
+]
+WRONG_CPP = [
+    ({"timer_ = create": "auto timer = create"}, "no command came on `/cmd_vel`", "Does a timer publish"),
+    ({"100ms": "500ms"}, "leaves its line by 1.4 m", "Tell them again, ten times a second or so"),
+    ({"8.0 *": "-8.0 *"}, "leaves its line", "It turns away from the line"),
 ]

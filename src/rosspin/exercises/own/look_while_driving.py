@@ -63,25 +63,91 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "geometry_msgs/msg/twist.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/float32.hpp"
+#include "std_msgs/msg/u_int32.hpp"
+
+using namespace std::chrono_literals;
+
+class DriverCppNode : public rclcpp::Node
+{
+public:
+  DriverCppNode() : Node("driver_cpp_node")
+  {
+    publisher_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
+    subscription_ = create_subscription<std_msgs::msg::Float32>("line", 10,
+        [this](const std_msgs::msg::Float32& message) { lineCallback(message); });
+    camera_ = create_subscription<std_msgs::msg::UInt32>("picture", 1,
+        [this](const std_msgs::msg::UInt32& message) { pictureCallback(message); });
+    timer_ = create_wall_timer(100ms, [this] { timerCallback(); });
+  }
+
+private:
+  void lineCallback(const std_msgs::msg::Float32& message)
+  {
+    offset_ = message.data;
+  }
+
+  void pictureCallback(const std_msgs::msg::UInt32& message)
+  {
+    rclcpp::sleep_for(300ms);  // looks for people
+    RCLCPP_INFO_STREAM(get_logger(), "[CAMERA] picture = " << message.data);
+  }
+
+  void timerCallback()
+  {
+    geometry_msgs::msg::Twist command;
+    command.linear.x = 2.0;  // m/s
+    command.angular.z = 8.0 * offset_;  // rad/s, to the left
+    publisher_->publish(command);
+  }
+
+  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr publisher_;
+  rclcpp::Subscription<std_msgs::msg::Float32>::SharedPtr subscription_;
+  rclcpp::Subscription<std_msgs::msg::UInt32>::SharedPtr camera_;
+  rclcpp::TimerBase::SharedPtr timer_;
+  double offset_ = 0.0;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<DriverCppNode>());
+  rclcpp::shutdown();
+  return 0;
+}
+"""
+
 HINTS = [
     "Who could call the timer's callback while `picture_callback` looks for people?",
     "`rclpy.spin(node, MultiThreadedExecutor(2))` has two threads. Which callbacks may they call at the same time?",
     "Callbacks of one group wait for each other, and all are in the node's own group. Give one of them another: "
     "`callback_group=MutuallyExclusiveCallbackGroup()`.",
 ]
+HINTS_CPP = [
+    "Who could call the timer's callback while `pictureCallback` looks for people?",
+    "A `rclcpp::executors::MultiThreadedExecutor` has several threads. Which callbacks may they call at the same time?",
+    "Callbacks of one group wait for each other, and all are in the node's own group. Give one of them another, by the "
+    "`callback_group` of its `rclcpp::SubscriptionOptions`.",
+]
 
 _WAITS = (
     "While a picture is looked at, nothing steers. With two threads, and a callback group of its own for "
-    "`picture_callback`, the others continue."
+    "what looks at it, the others continue."
 )
-_LOOK = "Leave what `picture_callback` does as it is: 0.3 s for a picture, and then the line."
+_LOOK = "Leave what looks at a picture as it is: 0.3 s for a picture, and then the line."
 
 
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether the vehicle keeps to its line while pictures are looked at."""
     seen = answer.run(8.0, beside=["vehicle"])
     yield follows(seen, _WAITS)
-    looked = [line for line in seen.values("CAMERA", "picture") if line.time <= seen.seconds]
+    looked = [line for line in seen.values("CAMERA", "picture") if line.time < seen.seconds]
     numbers = [int(line.text) if line.text.isdecimal() and len(line.text) < 6 else 0 for line in looked]
     if len(looked) < 20:
         text = f"{len(looked)} pictures were looked at in {say(seen.seconds)}, where 20 are the least."
@@ -162,4 +228,27 @@ WRONG = [
         },
         "leaves its line",
     ),
+]
+
+SOLUTION_CPP = {
+    "    camera_ = create": "    group_ = create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive);\n"
+    "    rclcpp::SubscriptionOptions options;\n"
+    "    options.callback_group = group_;\n"
+    "    camera_ = create",
+    "{ pictureCallback(message); });": "{ pictureCallback(message); }, options);",
+    "  rclcpp::TimerBase::SharedPtr timer_;\n": "  rclcpp::TimerBase::SharedPtr timer_;\n"
+    "  rclcpp::CallbackGroup::SharedPtr group_;\n",
+    "  rclcpp::spin(std::make_shared<DriverCppNode>());\n": "  auto node = std::make_shared<DriverCppNode>();\n"
+    "  rclcpp::executors::MultiThreadedExecutor executor;\n"
+    "  executor.add_node(node);\n"
+    "  executor.spin();\n",
+}
+
+RIGHT_CPP = [
+    {"CallbackGroupType::MutuallyExclusive": "CallbackGroupType::Reentrant"},
+]
+WRONG_CPP = [
+    ({"MultiThreadedExecutor": "SingleThreadedExecutor"}, "leaves its line", "nothing steers"),
+    ({", options);": ");"}, "leaves its line", "nothing steers"),
+    ({"sleep_for(300ms)": "sleep_for(30ms)"}, "had not been looked at for 0.3 s", "0.3 s for a picture"),
 ]

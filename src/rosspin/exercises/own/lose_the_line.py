@@ -57,9 +57,63 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "geometry_msgs/msg/twist.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/float32.hpp"
+
+using namespace std::chrono_literals;
+
+class DriverCppNode : public rclcpp::Node
+{
+public:
+  DriverCppNode() : Node("driver_cpp_node")
+  {
+    publisher_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
+    subscription_ = create_subscription<std_msgs::msg::Float32>("line", 10,
+        [this](const std_msgs::msg::Float32& message) { lineCallback(message); });
+    timer_ = create_wall_timer(500ms, [this] { timerCallback(); });
+  }
+
+private:
+  void lineCallback(const std_msgs::msg::Float32& message)
+  {
+    offset_ = message.data;
+  }
+
+  void timerCallback()
+  {
+    geometry_msgs::msg::Twist command;
+    command.linear.x = 2.0;  // m/s
+    command.angular.z = 8.0 * offset_;  // rad/s, to the left
+    publisher_->publish(command);
+  }
+
+  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr publisher_;
+  rclcpp::Subscription<std_msgs::msg::Float32>::SharedPtr subscription_;
+  rclcpp::TimerBase::SharedPtr timer_;
+  double offset_ = 0.0;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<DriverCppNode>());
+  rclcpp::shutdown();
+  return 0;
+}
+"""
+
 HINTS = [
     "How far does the vehicle drive between two commands, in 0.5 s?",
     "Halve the period until the vehicle stays on its line, then lengthen it in steps of 0.05 s.",
+]
+HINTS_CPP = [
+    "How far does the vehicle drive between two commands, in 0.5 s?",
+    "Halve the period until the vehicle stays on its line, then lengthen it in steps of 50 ms.",
 ]
 
 _SECONDS = 8.0
@@ -103,4 +157,15 @@ WRONG = [
     ({"0.5, self": "4.0, self"}, "leaves its line"),
     ({"linear.x = 2.0": "linear.x = 1.0"}, "Its speed was 1 m/s"),
     ({"0.5, self": "0.0, self"}, "is called without a pause"),
+]
+
+SOLUTION_CPP = {"500ms": "300ms"}
+
+RIGHT_CPP = [
+    {"300ms": "std::chrono::duration<double>(0.3)"},
+]
+WRONG_CPP = [
+    ({"300ms": "350ms"}, "leaves its line", "Make the period shorter"),
+    ({"300ms": "250ms"}, "32 commands came in 8 s, one every 0.25 s", "Make the period longer"),
+    ({"= 2.0": "= 1.0"}, "the vehicle keeps to its line, but drove", "Its speed was 1 m/s"),
 ]

@@ -58,10 +58,65 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "geometry_msgs/msg/twist.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/float32.hpp"
+
+using namespace std::chrono_literals;
+
+class DriverCppNode : public rclcpp::Node
+{
+public:
+  DriverCppNode() : Node("driver_cpp_node")
+  {
+    publisher_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
+    subscription_ = create_subscription<std_msgs::msg::Float32>("line", 10,
+        [this](const std_msgs::msg::Float32& message) { lineCallback(message); });
+    timer_ = create_wall_timer(50ms, [this] { timerCallback(); });
+  }
+
+private:
+  void lineCallback(const std_msgs::msg::Float32& message)
+  {
+    offset_ = message.data;
+  }
+
+  void timerCallback()
+  {
+    geometry_msgs::msg::Twist command;
+    command.linear.x = 2.0;  // m/s
+    command.angular.z = 8.0 * offset_;  // rad/s, to the left
+    publisher_->publish(command);
+  }
+
+  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr publisher_;
+  rclcpp::Subscription<std_msgs::msg::Float32>::SharedPtr subscription_;
+  rclcpp::TimerBase::SharedPtr timer_;
+  double offset_ = 0.0;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<DriverCppNode>());
+  rclcpp::shutdown();
+  return 0;
+}
+"""
+
 HINTS = [
     "Which of two commands does the vehicle follow, and which node sends more of them?",
     "`self.count_publishers('cmd_vel')` says how many publish there, your node included.",
     "`self.get_publishers_info_by_topic('cmd_vel')` says who: each has a `node_name`.",
+]
+HINTS_CPP = [
+    "Which of two commands does the vehicle follow, and which node sends more of them?",
+    '`count_publishers("cmd_vel")` says how many publish there, your node included.',
+    '`get_publishers_info_by_topic("cmd_vel")` says who: each has a `node_name()`.',
 ]
 
 _YIELD = (
@@ -177,4 +232,33 @@ WRONG = [
         "printed `driver_py_node`",
     ),
     ({_SENDS: f"{_SENDS}        if self.count_publishers('cmd_vel') > 0:\n            return\n"}, "command came on"),
+]
+
+SOLUTION_CPP = {
+    "  void timerCallback()\n  {\n": "  void timerCallback()\n"
+    "  {\n"
+    '    for (const auto& end : get_publishers_info_by_topic("cmd_vel"))\n'
+    "    {\n"
+    "      if (end.node_name() != get_name())\n"
+    "      {\n"
+    '        RCLCPP_INFO_STREAM(get_logger(), "[DRIVER] other = " << end.node_name());\n'
+    "        return;\n"
+    "      }\n"
+    "    }\n"
+}
+
+RIGHT_CPP = [
+    {
+        "        return;\n": "        is_other_ = true;\n        return;\n",
+        "  double offset_": "  bool is_other_ = false;\n  double offset_",
+    },
+]
+WRONG_CPP = [
+    ({"        return;\n": ""}, "from 3.6 s to 5 s the vehicle drove", "send nothing"),
+    ({"end.node_name());": "get_name());"}, "the node printed `driver_cpp_node`", "the publisher that is not yours"),
+    (
+        {"<< end.node_name()": '<< "joystick"'},
+        "asked who else publishes on `cmd_vel`, the node printed `joystick`",
+        "`node_name` of the publisher",
+    ),
 ]

@@ -56,11 +56,67 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "geometry_msgs/msg/twist.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/float32.hpp"
+
+using namespace std::chrono_literals;
+
+class DriverCppNode : public rclcpp::Node
+{
+public:
+  DriverCppNode() : Node("driver_cpp_node")
+  {
+    publisher_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
+    subscription_ = create_subscription<std_msgs::msg::Float32>("line", 10,
+        [this](const std_msgs::msg::Float32& message) { lineCallback(message); });
+    timer_ = create_wall_timer(100ms, [this] { timerCallback(); });
+  }
+
+private:
+  void lineCallback(const std_msgs::msg::Float32& message)
+  {
+    offset_ = message.data;
+  }
+
+  void timerCallback()
+  {
+    geometry_msgs::msg::Twist command;
+    command.linear.x = 2.0;  // m/s
+    command.angular.z = 8.0 * offset_;  // rad/s, to the left
+    publisher_->publish(command);
+  }
+
+  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr publisher_;
+  rclcpp::Subscription<std_msgs::msg::Float32>::SharedPtr subscription_;
+  rclcpp::TimerBase::SharedPtr timer_;
+  double offset_ = 0.0;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<DriverCppNode>());
+  rclcpp::shutdown();
+  return 0;
+}
+"""
+
 HINTS = [
     "What does the vehicle do with the last command?",
     "At Ctrl-C, rclpy shuts its context down before your `except` is reached. Can the node publish after that?",
     "`rclpy.init(signal_handler_options=SignalHandlerOptions.NO)`, with `SignalHandlerOptions` from `rclpy.signals`: "
     "then Ctrl-C only raises KeyboardInterrupt. Publish a `Twist()` before the shutdown.",
+]
+HINTS_CPP = [
+    "What does the vehicle do with the last command?",
+    "At Ctrl-C, rclcpp shuts its context down before `spin` returns. Can the node publish after that?",
+    "`rclcpp::contexts::get_global_default_context()->add_pre_shutdown_callback(function)` has a function called "
+    "before the shutdown. It can publish a `Twist`.",
 ]
 
 _AT, _EARLIER = 4.03, 2.53
@@ -166,5 +222,36 @@ WRONG = [
             "        driver_py_node.publisher.publish(command)\n"
         },
         "has a speed of 2 m/s",
+    ),
+]
+
+SOLUTION_CPP = {
+    "    timer_ = create": "    auto context = rclcpp::contexts::get_global_default_context();\n"
+    "    context->add_pre_shutdown_callback([this]\n"
+    "    {\n"
+    "      timer_->cancel();\n"
+    "      publisher_->publish(geometry_msgs::msg::Twist());\n"
+    "    });\n"
+    "    timer_ = create"
+}
+
+RIGHT_CPP = [
+    {"rclcpp::contexts::get_global_default_context()": "get_node_base_interface()->get_context()"},
+]
+WRONG_CPP = [
+    (
+        {"add_pre_shutdown_callback": "add_on_shutdown_callback"},
+        "from 4.23 s to 8 s the vehicle drove",
+        "Send a speed of 0 when Ctrl-C comes",
+    ),
+    (
+        {"      publisher_->publish(geometry_msgs::msg::Twist());\n": ""},
+        "from 4.23 s to 8 s the vehicle drove",
+        "Send a speed of 0 when Ctrl-C comes",
+    ),
+    (
+        {"geometry_msgs::msg::Twist());\n    });": "geometry_msgs::msg::Twist());\n      timerCallback();\n    });"},
+        "the last command, at 4.03 s, has a speed of 2 m/s",
+        "has to be the last command",
     ),
 ]

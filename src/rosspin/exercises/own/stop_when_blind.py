@@ -57,11 +57,66 @@ if __name__ == '__main__':
     main()
 """
 
+NODE_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "geometry_msgs/msg/twist.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/float32.hpp"
+
+using namespace std::chrono_literals;
+
+class DriverCppNode : public rclcpp::Node
+{
+public:
+  DriverCppNode() : Node("driver_cpp_node")
+  {
+    publisher_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
+    subscription_ = create_subscription<std_msgs::msg::Float32>("line", 10,
+        [this](const std_msgs::msg::Float32& message) { lineCallback(message); });
+    timer_ = create_wall_timer(50ms, [this] { timerCallback(); });
+  }
+
+private:
+  void lineCallback(const std_msgs::msg::Float32& message)
+  {
+    offset_ = message.data;
+  }
+
+  void timerCallback()
+  {
+    geometry_msgs::msg::Twist command;
+    command.linear.x = 2.0;  // m/s
+    command.angular.z = 8.0 * offset_;  // rad/s, to the left
+    publisher_->publish(command);
+  }
+
+  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr publisher_;
+  rclcpp::Subscription<std_msgs::msg::Float32>::SharedPtr subscription_;
+  rclcpp::TimerBase::SharedPtr timer_;
+  double offset_ = 0.0;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<DriverCppNode>());
+  rclcpp::shutdown();
+  return 0;
+}
+"""
+
 HINTS = [
     "Which callback is still called while the sensor is silent?",
     "Keep the time, `self.get_clock().now()`, whenever a message comes.",
     "In `timer_callback`: `silence = self.get_clock().now() - self.heard`, and `silence > Duration(seconds=0.5)`, with "
     "`Duration` from `rclpy.duration`. A new `Twist` is all zeros, and stops the vehicle.",
+]
+HINTS_CPP = [
+    "Which callback is still called while the sensor is silent?",
+    "Keep the time, `now()`, whenever a message comes, in an `rclcpp::Time`.",
+    "In `timerCallback`: `now() - heard_ > rclcpp::Duration(500ms)`. A new `Twist` is all zeros: it stops the vehicle.",
 ]
 
 _SILENT_AT, _PATIENCE = (3.0, 5.0), 0.5  # when the sensor is silent, and how long (s) that may be
@@ -173,4 +228,28 @@ WRONG = [
         "the vehicle drove",
     ),
     ({"command.linear.x = 2.0": "command.linear.x = 2.0 if self.offset else 0.0"}, "the vehicle drove"),
+]
+
+SOLUTION_CPP = {
+    "    offset_ = message.data;\n": "    offset_ = message.data;\n    heard_ = now();\n",
+    "    geometry_msgs::msg::Twist command;\n": "    geometry_msgs::msg::Twist command;\n"
+    "    if (now() - heard_ > rclcpp::Duration(500ms))\n"
+    "    {\n"
+    "      publisher_->publish(command);\n"
+    "      return;\n"
+    "    }\n",
+    "  double offset_ = 0.0;\n": "  rclcpp::Time heard_ = now();\n  double offset_ = 0.0;\n",
+}
+
+RIGHT_CPP = [
+    {"rclcpp::Duration(500ms)": "rclcpp::Duration::from_seconds(0.5)"},
+]
+WRONG_CPP = [
+    (
+        {"      publisher_->publish(command);\n      return;": "      return;"},
+        "from 3.56 s to 5 s the vehicle drove",
+        "To send nothing is not to stop",
+    ),
+    ({"500ms": "1s"}, "1.05 s after the last message", "It should be stopped"),
+    ({"500ms": "100ms"}, "earlier than 0.5 s after a message", "Wait until nothing has come"),
 ]
