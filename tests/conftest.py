@@ -24,7 +24,7 @@ from tests.helpers.simulated_only import simulated_only
 from tests.helpers.surroundings import clean, heed_ctrl_c
 from tests.helpers.tree import DOCTREES, ROOT, SITE, TESTS
 
-# Seconds that each file of tests took once, by its path below tests/; and those of this run.
+# Seconds that each file of tests took once, by its path below tests/; and in this run.
 DURATIONS: dict[str, float] = json.loads((TESTS / "durations.json").read_text(encoding="utf-8"))
 _took: defaultdict[str, float] = defaultdict(float)
 

@@ -13,7 +13,7 @@ from rosspin.clocks.ending import Ended, ending_here
 
 
 class _EndsWhoImports:
-    """An entry of ``sys.meta_path``: whoever asks for the module is to end, from the line on that comes next."""
+    """An entry of ``sys.meta_path``: whoever asks for the module should end, from the line on that comes next."""
 
     find_spec = staticmethod(lambda name, path, target=None: name == "there_is_none" and Ended() and None)
 

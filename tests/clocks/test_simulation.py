@@ -1,4 +1,4 @@
-"""Simulated time: which stack wakes when, held to a plain model."""
+"""Simulated time: which stack wakes when, compared with a plain model."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ def test_a_wait_ends_at_its_time_or_when_it_is_woken(waits: list[int], gaps: lis
 
     simulation.run(main, Program(), 0)
     first = gaps[0] if gaps else FOREVER
-    # Main fell asleep first: of two at one time it goes on first.
+    # Main fell asleep first: of two at one time it continues first.
     assert ended == {number: (first <= longest, min(longest, first)) for number, longest in enumerate(waits)}
 
 

@@ -188,7 +188,7 @@ def test_ctrl_c_calls_the_node_s_own_handler() -> None:
             print("handler", number, time.time(), threading.current_thread().name)
 
         signal.signal(signal.SIGINT, handler)
-        time.sleep(3)  # goes on after the handler
+        time.sleep(3)  # continues after the handler
         print(time.time(), signal.getsignal(signal.SIGINT) is handler)
 
     before = signal.getsignal(signal.SIGINT)

@@ -28,7 +28,7 @@ Log = list[tuple[float, int, str]]
 
 # --- the model --------------------------------------------------------------------------------------------------------
 
-# What a thread does, which yields when it goes on by itself (None: never), and is sent whether it was woken before.
+# What a thread does, which yields when it continues by itself (None: never), and is sent whether it was woken before.
 Doing = Generator[float | None, bool, Any]
 
 
@@ -136,7 +136,7 @@ class ModelRLock:
 
 
 class Place:
-    """Where a thread stands in a line; nobody's when it has given up but not yet gone."""
+    """Where a thread stands in a line; no thread's when it has given up but not yet gone."""
 
     def __init__(self, worker: Worker) -> None:
         self.worker: Worker | None = worker
@@ -408,7 +408,7 @@ steps = st.one_of(
 
 
 def held(locks: Any, timeouts: Any, inner: Any) -> Any:
-    """A few steps with a lock in hand, if it was to be had."""
+    """A few steps with a lock in hand, if it was free."""
     return st.builds(
         lambda lock, timeout, inner: [("acquire", lock, timeout), *inner, ("release", lock)],
         locks,

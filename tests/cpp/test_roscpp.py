@@ -39,7 +39,7 @@ def test_a_page_says_the_same_of_each_scenario(file: str, tmp_path: Path) -> Non
     scenarios_are_like(file, tmp_path)
 
 
-# Those of timers in a node that spins at once in one thread.
+# Made by timers in a node that spins at once in one thread.
 RECORDINGS = sorted(ROOT.glob("examples/recordings/t*_cpp_[2bs]*.csv"))
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from rosspin.exercises import check, judge, trace
 from rosspin.exercises.own import Answer
-from tests.helpers.answers import IN_CPP, NOTEBOOKS
+from tests.helpers.answers import FILES, IN_CPP, NOTEBOOKS, TASKS
 
 pytestmark = pytest.mark.shares(3)
 

@@ -1,4 +1,4 @@
-"""The table of the page for teachers, as Python keeps it: that of ``rosspin judge``, with other bounds."""
+"""The table of the page for teachers, as Python keeps it: as in ``rosspin judge``, with other bounds."""
 
 from __future__ import annotations
 

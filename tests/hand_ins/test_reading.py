@@ -403,7 +403,7 @@ def test_names_are_in_the_order_of_their_letters(tmp_path: Path) -> None:
 
 
 def test_a_folder_for_each_student(tmp_path: Path) -> None:
-    """Files that name nobody are whose folder they are in; those that do are theirs, wherever they are."""
+    """Files that name no student are whose folder they are in; those that do are theirs, wherever they are."""
     found = class_of(
         tmp_path / "class",
         {

@@ -61,7 +61,7 @@ def test_a_class_compares_how_far_its_vehicles_came_off_the_line() -> None:
 PLAIN = ["", "Ada", "O'Neill", "Anna-Lena Groß-Gerau", "Nguyễn Thị Minh", "李雷", "علی\u200cرضا", 'Zoë "Z", jr.']
 PLAIN += ["Sam, Al", "1+1=2.json", "a@b.org.json", "a; b.json", "C++", "5", "2026-11-21 22:05", "refused: it is odd"]
 
-# Each with what it becomes. A sign may be full-width, small, or the one of mathematics; what is white, quoted or not
+# Each with what it becomes. A sign may be full-width, small, or the mathematical one; what is white, quoted or not
 # seen may come before it; cells may be separated by what is in the middle.
 FORMULAS = {sign + "1": f"'{sign}1" for sign in "=+-@＝＋－＠−﹦⁺₋"}
 FORMULAS |= {each + "=1": f"{each}'=1" for each in (" ", "\u00a0", "\u3000", "\ufeff", "\u200b", "\u202e")}

@@ -44,7 +44,7 @@ def database():
 
 def announce():
     js.BroadcastChannel.new("page").postMessage("stolen")
-    raise RuntimeError("nobody answers")
+    raise RuntimeError("no answer")
 
 def attempt(name, way):
     try:

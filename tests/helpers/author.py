@@ -95,7 +95,7 @@ def go_the_way(tree: Path, runs_timer: bool) -> str:
     assert rest == ["make html", "make outputs", "git diff", "make doctest", "make html"]
     assert typed(f"{into}; {change}; {back}; test -f conf.py", tree).returncode == 0
 
-    # The list: all pages and notebooks, with no frames of anybody's.
+    # The list: all pages and notebooks, with no frames of others.
     run = typed(build, tree)
     listed = listed_in(run.stdout)
     assert run.returncode != 0

@@ -1,4 +1,4 @@
-"""The pages of the built site, each parsed once for all tests of a process. They are to be read, not to be changed."""
+"""The pages of the built site, each parsed once for all tests of a process. Tests read them, and change nothing."""
 
 from __future__ import annotations
 

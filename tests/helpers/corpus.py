@@ -1,6 +1,6 @@
 """What the corpora of scenarios have in common: what a scenario is, and what it gives, simulated and as recorded.
 
-What the real ROS gave is kept beside the scenarios, in ``recorded/``: the console of each with its status in the first
+What the real ROS gave is kept with the scenarios, in ``recorded/``: the console of each with its status in the first
 line, stamps made equal. Where the real one's outcome is a race, there may be several: ``NAME~2.txt``.
 """
 
@@ -67,7 +67,7 @@ class Scenario(NamedTuple):
 
 
 def scenarios(ros: int, folder: Path, args: Mapping[str, Sequence[Args]]) -> list[Scenario]:
-    """The scenarios in a folder; ``args`` are those of the files that have any."""
+    """The scenarios in a folder; ``args`` has the arguments of the files that have any."""
     return [
         Scenario(ros, file, each, _name(file.stem, each, number))
         for file in sorted(folder.glob("*.py"))

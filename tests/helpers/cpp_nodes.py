@@ -45,7 +45,7 @@ def _variants() -> dict[str, str]:
 
 
 class CppNodes:
-    """Programs in a folder, and there, as a package that roslaunch finds, the one of the tutorial.
+    """Programs in a folder, and there, as a package that roslaunch finds, the tutorial's.
 
     ``said`` is what the compiler said of them.
     """
@@ -66,7 +66,7 @@ class CppNodes:
 
 
 def built(folder: Path) -> CppNodes:
-    """Those of this folder, which the first process that needs them builds."""
+    """The programs of this folder, which the first process that needs them builds."""
     folder.mkdir(exist_ok=True)
     with open(folder / "lock", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)

@@ -1,4 +1,4 @@
-"""The timing probes in C++: their simulated ticks next to those of the real ones."""
+"""The timing probes in C++: their simulated ticks next to the real ones'."""
 
 from __future__ import annotations
 

@@ -259,7 +259,7 @@ class Figure:
 
 
 def check_rows(kind: Kind, value: float, shown: Any, alternative: str, span: float) -> None:
-    """The ticks of a figure are those of a run at this position, and the words are about them."""
+    """The ticks of a figure come from a run at this position, and the words are about them."""
     runs = kind.runs(value)
     assert [row["name"] for row in shown] == list(runs)
     assert alternative.startswith(f"Timeline, {kind.label}: {value:g} s. ")

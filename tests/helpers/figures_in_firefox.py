@@ -31,7 +31,7 @@ TO_HANDLE = """number => {
 
 
 def _figure(page: Tab, kind: Kind) -> Any:
-    """A figure of the page that is open, whose ticks are those of a run."""
+    """A figure of the page that is open, whose ticks come from a run."""
     seen = page.evaluate(FIGURE, kind.number)
     said = re.fullmatch(r"([\d.]+) s", seen["value"])
     assert said

@@ -15,7 +15,7 @@ TOO_MUCH = {
     "numbers": "[' + '0,' * 600_000 + '0]",
 }
 
-# What goes on until Stop is pressed, each as much as a page takes.
+# What continues until Stop is pressed, each as much as a page takes.
 GOES_ON = """import js, json, time
 from pyodide.ffi import create_proxy
 

@@ -63,7 +63,7 @@ function judge(verdict) {
 
 
 def exchange(context: BrowserContext, site: Path, **files: bytes) -> None:
-    """Serve other files in place of those of a site from which Python starts, as if it had been built with them."""
+    """Serve other files in place of a site's own, from which Python starts, as if it had been built with them."""
     folder = site / "_static/live"
     script = (folder / "runs.js").read_text(encoding="utf-8")
     for name, data in files.items():

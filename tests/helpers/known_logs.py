@@ -54,7 +54,7 @@ class Case:
 
     @property
     def is_held_out(self) -> bool:
-        """Whether nobody looked at what is said of it while writing that: fixed by its name, before."""
+        """Whether what is said of it was unknown when this was written: fixed by its name, before."""
         return sha256(self.name.encode()).digest()[0] % 2 == 1
 
 

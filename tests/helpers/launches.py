@@ -1,4 +1,4 @@
-"""Runs on a real ROS that go on until the node has done what a test is about: no test knows how long that takes."""
+"""Runs on a real ROS that continue until the node has done what a test is about: no test knows how long that takes."""
 
 from __future__ import annotations
 

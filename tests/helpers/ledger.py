@@ -51,7 +51,7 @@ class Ledger(NamedTuple):
 
     @classmethod
     def read(cls, file: Path = LEDGER) -> Ledger:
-        """The one of this checkout; an empty one if there is none."""
+        """This checkout's; an empty one if there is none."""
         tables = tomllib.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
         entries: dict[int, dict[str, Entry]] = {1: {}, 2: {}}
         for batch in tables.get("confirmed", ()):

@@ -104,7 +104,7 @@ def wrong_values() -> list[Any]:
 
 
 def paths(message: Any, prefix: str = "") -> Iterator[tuple[Any, str, str]]:
-    """The fields of a message, and those of its nested ones: (owner, name, path)."""
+    """The fields of a message, and of its nested ones: (owner, name, path)."""
     for name in message.__slots__:
         yield message, name, prefix + name
         inner = getattr(message, name)

@@ -8,7 +8,7 @@ from bs4 import BeautifulSoup
 
 from .tree import HELPERS
 
-# A node that prints the names that are taken; what it prints on the real ROS 2 is beside it.
+# A node that prints the names that are taken; what it prints on the real ROS 2 is in the file next to it.
 NAMES = HELPERS / "rclpy_names_probe.py"
 
 # The same for a program that prints the names of the package after an import.

@@ -12,7 +12,7 @@ NODES = {
     "ros2-publish": "topics/ros2/pubsub_py_node.py",
 }
 
-# Beside it, the one in C++.
+# And its node in C++.
 IN_CPP = {
     "timer": f"{ROS1}/spinner_cpp_node.cpp",
     "rate": f"{ROS1}/spinner_rate_cpp_node.cpp",

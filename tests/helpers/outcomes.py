@@ -29,7 +29,7 @@ CTRL_C = 3.6 * P
 class Outcome(NamedTuple):
     """What a scenario gave: exit status, lines that must be the same, times by label; its end, and its longest stall.
 
-    That (s) is how late a plain timer beside the node came at most, or the Ctrl-C; 0 if it all came in time.
+    That (s) is how late a plain timer next to the node came at most, or the Ctrl-C; 0 if it all came in time.
     """
 
     status: int

@@ -75,13 +75,13 @@ Message = dict[str, Any]
 
 
 def run_job(source: str, args: str = "", *beside: tuple[str, str, str]) -> Message:
-    """A text that is to be run for two seconds, immediately, maybe with others: text, file name, arguments."""
+    """A text to run for two seconds, immediately, maybe with others: text, file name, arguments."""
     node = {"source": source, "filename": "node.py", "seconds": 2, "args": args, "speed": 0}
     return {"kind": "run"} | node | {"beside": json.dumps(beside), "files": "{}"}
 
 
 def together_job(*nodes: Path) -> Message:
-    """Node files, in Python or compiled to C++, that are to be run together for two seconds."""
+    """Node files, in Python or compiled to C++, to run together for two seconds."""
     text, *others = [(node.read_text(encoding="utf-8"), node.name, "") for node in nodes]
     return run_job(text[0], "", *others) | {"filename": text[1], "programs": _programs(nodes)}
 
@@ -92,7 +92,7 @@ def _programs(nodes: Iterable[Path]) -> dict[str, list[str]]:
 
 
 def launch_job(launch: Path) -> Message:
-    """A launch file that is to be run for two seconds."""
+    """A launch file to run for two seconds."""
     name, files, folder = launched(launch)
     texts = {path: (folder / path).read_text(encoding="utf-8") for path in files}
     job = run_job(texts[name]) | {"filename": name, "files": json.dumps(texts)}
@@ -100,7 +100,7 @@ def launch_job(launch: Path) -> Message:
 
 
 def look_job(log: str) -> Message:
-    """A log that is to be looked at."""
+    """A log to look at."""
     return {"kind": "look", "log": log, "name": "console.txt"}
 
 

@@ -168,7 +168,7 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
             clients.append(node.create_client(BasicTypes, name, callback_group=of_client))
 
         def ask(client: Any, ms: int, waits: bool) -> None:
-            if len(asks) == 20:  # a service that asks itself would go on for ever, at one time
+            if len(asks) == 20:  # a service that asks itself would never end, at one time
                 return
             asks.append(ms)
             request = BasicTypes.Request(int32_value=ms)
@@ -354,7 +354,7 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
 
 
 def lines(console: str) -> list[list[str]]:
-    """The node's lines, those of one instant sorted: which of them comes first is nobody's promise.
+    """The node's lines, sorted within an instant: which of them comes first is not promised.
 
     Without the ids of goals, which are random, and the frames of tracebacks.
     """

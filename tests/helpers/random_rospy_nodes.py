@@ -105,7 +105,7 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
                 time.sleep(ns / 1e9)
 
         def alone(who: int, call: int) -> None:
-            """Wait for a moment at which nobody else does anything: who comes first then is nobody's promise."""
+            """Wait for a moment at which nothing else happens: who comes first then is not promised."""
             nap((who * 100_000 + call * 1000 + 500 - time.time_ns()) % MS)
 
         def make(timer: dict[str, Any]) -> None:
@@ -203,7 +203,7 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
 
 
 def lines(console: str) -> list[list[str]]:
-    """The lines, those of one instant sorted: which of them comes first is nobody's promise."""
+    """The lines, sorted within an instant: which of them comes first is not promised."""
     return sorted(line.split() for line in console.splitlines())
 
 

@@ -1,4 +1,4 @@
-"""Print the names that rclpy's classes have, of which a node makes classes of its own; mangled ones are nobody else's.
+"""Print the names that rclpy's classes have, of which a node makes classes of its own; mangled ones are a class's own.
 
 Record them in the environment of a real ROS 2:
 python tests/helpers/rclpy_names_probe.py > tests/helpers/rclpy_names_probe.txt

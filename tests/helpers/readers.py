@@ -16,7 +16,7 @@ PATIENCE = 120_000
 
 @contextmanager
 def reader(browser: Browser, **options: Any) -> Iterator[BrowserContext]:
-    """A reader who comes for the first time; the options are those of Playwright's ``new_context``."""
+    """A reader who comes for the first time; the options go to Playwright's ``new_context``."""
     with browser.new_context(**options) as context:
         context.set_default_timeout(PATIENCE)
         yield context

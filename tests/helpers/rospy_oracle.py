@@ -49,7 +49,7 @@ def oracle(folder: Path) -> Iterator[None]:
         stub("rospy.names")
         stub("rospy.impl")
         stub("rospy.impl.validators", ParameterInvalid=None)
-        with patch("atexit.register", lambda function: None):  # that of the process that tests
+        with patch("atexit.register", lambda function: None):  # which belongs to the process that tests
             for name in ("exceptions", "rostime", "timer", "core"):
                 vars(rospy).update(_public(f"rospy.{name}"))
         rospy.rostime.time = rospy.timer.time = SimpleNamespace(time=_exact_time, sleep=time.sleep)

@@ -33,7 +33,7 @@ RUN_JOBS = """async ([address, name]) => {
     })
 }"""
 
-# Beside the scenarios stand modules that they share, and files.
+# Next to the scenarios are modules that they share, and files.
 PRELUDE = """
 import pathlib
 for name, text in {files}.items():
@@ -42,7 +42,7 @@ for name, text in {files}.items():
     path.write_text(text)
 """
 
-# Beside the scenarios, by their folders.
+# Next to the scenarios, by their folders.
 BESIDE = {
     corpus_ros1.SCENARIOS: ("scenario.py", "robot/*.py"),
     corpus_ros2.SCENARIOS: ("scenario.py", "*.yaml"),
@@ -57,7 +57,7 @@ Evaluate = Callable[[str, Any], Any]
 
 
 class Sandbox:
-    """Runs texts as nodes in a page; all share one sandbox, in which nodes find what stands beside a folder's."""
+    """Runs texts as nodes in a page; all share one sandbox, in which nodes find what is next to a folder's."""
 
     def __init__(self, evaluate: Evaluate, address: str, folder: Path) -> None:
         self._evaluate = evaluate

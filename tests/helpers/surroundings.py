@@ -11,7 +11,7 @@ from fnmatch import fnmatchcase
 
 from .tree import ROOT
 
-# pytest's own, and those of which a Python that has started has already made what it will.
+# pytest's own, and others of which a Python that has started has already made what it will.
 _BY_HAND = ["PYTEST_%", "PYTHONPATH", "PYTHONHASHSEED"]
 
 

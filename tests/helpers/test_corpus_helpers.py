@@ -47,7 +47,7 @@ def test_the_share_of_a_test_follows_from_its_name_alone(request: pytest.Fixture
     cases = [case(f"{test}[{n}]", pytest.mark.shares(of)) for test, of in (("a", 4), ("b", 5)) for n in range(11)]
     runs = [[share for share in range(20) if not is_left_out(each, share)] for each in (whole, *cases)]
     assert [len(each) for each in runs] == [20] + [5] * 11 + [4] * 11
-    assert len({first for first, *_ in runs[1:12]}) > 1  # those of one test are spread
+    assert len({first for first, *_ in runs[1:12]}) > 1  # a test's are spread
 
 
 # --- expectations -----------------------------------------------------------------------------------------------------
@@ -114,7 +114,7 @@ def test_the_control_beside_tells_of_stalls_within_a_run(monkeypatch: pytest.Mon
     now = 100.0
     monkeypatch.setattr("tests.helpers.runs.time.monotonic", lambda: now)
     beside = runs._Beside()
-    for took in (0.025, 0.5, 0.3, 0.025):  # it is to be called every 25 ms
+    for took in (0.025, 0.5, 0.3, 0.025):  # it should be called every 25 ms
         now += took
         beside.called(took, 0.0)
     assert beside.since(100.0) == pytest.approx(0.8)

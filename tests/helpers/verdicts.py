@@ -1,6 +1,6 @@
-"""The third verdict: neither as it should be nor not so, because the machine disturbed the run that was to tell.
+"""The third verdict: neither as it should be nor not so, because the machine disturbed the run that should have told.
 
-Whether it did, a control in the same run says, which knows nothing of the node: a plain timer beside it, and what the
+Whether it did, a control in the same run says, which knows nothing of the node: a plain timer next to it, and what the
 kernel counts of those who wait for a processor. What becomes of such tests: see ``real/conftest.py``.
 """
 
@@ -34,7 +34,7 @@ def inconclusive(reason: str) -> NoReturn:
 def control(bears: float) -> Iterator[Control]:
     """Judge what depends on time: a "not so" in this block is inconclusive if the machine has stalled meanwhile.
 
-    ``bears`` says for how long (s) somebody may be kept waiting at a stretch and the assertions in the block still
+    ``bears`` says for how long (s) anything may be kept waiting at a stretch and the assertions in the block still
     hold. What holds at any speed is asserted outside of it.
     """
     __tracebackhide__ = True
@@ -49,11 +49,11 @@ def control(bears: float) -> Iterator[Control]:
 
 
 class Control:
-    """A plain timer beside a run, in a thread of this process.
+    """A plain timer next to a run, in a thread of this process.
 
-    It sees that a processor stood still if it is itself called late; and at each call it asks how long anybody has
+    It sees that a processor stood still if it is itself called late; and at each call it asks how long anything has
     waited for a processor, a disk or memory, or a processor for its host. So it need not stand on each processor, nor
-    be quick. Where nobody counts that (not on Linux), its own calls have to do.
+    be quick. Where that is not counted (not on Linux), its own calls have to do.
     """
 
     PERIOD = 0.025  # s
@@ -75,11 +75,11 @@ class Control:
         self._thread.join()
 
     def stalled(self) -> float:
-        """For how long (s), at the longest, somebody was kept waiting at a stretch so far."""
+        """For how long (s), at the longest, anything was kept waiting at a stretch so far."""
         return self._longest
 
     def called(self, took: float, waited: float) -> None:
-        """Note that a call came ``took`` s after the last one, and that somebody waited for ``waited`` s of them."""
+        """Note that a call came ``took`` s after the last one, and that something waited for ``waited`` s of them."""
         stood_still = took > 1.5 * self.PERIOD or waited > self.SHARE * took
         self._stretch = self._stretch + took if stood_still else 0.0
         self._longest = max(self._longest, self._stretch)
@@ -95,7 +95,7 @@ class Control:
 
 
 def _waited() -> float:
-    """How long (s) somebody on this machine has waited so far for what others had, or a processor for its host."""
+    """How long (s) anything on this machine has waited so far for what others had, or a processor for its host."""
     pressures = (file.read_text() for file in Path("/proc/pressure").glob("*"))
     waits = [int(found[1]) / 1e6 for text in pressures if (found := re.search(r"^some .*total=(\d+)", text))]
     try:

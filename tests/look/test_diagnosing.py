@@ -95,7 +95,7 @@ def test_ticks_are_on_the_grid_that_fits_best() -> None:
 
 
 def test_timers_of_rclpy_hide_a_clock_that_is_set_back() -> None:
-    """As the page says: a loop that sleeps goes back with it, and a timer beside it does not."""
+    """As the page says: a loop that sleeps goes back with it, and a timer of the same node does not."""
     back = {
         series.node: any(later < time for time, later in pairwise(series.times))
         for series in by_name("r2_clock_back_two").series
@@ -181,7 +181,7 @@ def test_what_a_timer_says_of_a_number_that_grows_is_no_queue(steps: tuple[int, 
 
 
 def test_nor_is_how_many_there_are() -> None:
-    """Even of a loop that sleeps, whose periods are as those of a callback that always works."""
+    """Even of a loop that sleeps, whose periods are as if a callback always worked."""
     draw, time, total, text = random.Random(1), 1.7e9, 0, ""
     for _ in range(100):
         total, time = total + draw.choice((2, 3)), time + 0.1037 + abs(draw.gauss(0, 1e-3))

@@ -1,4 +1,4 @@
-"""Messages as bytes: what of CDR no scenario holds. The bytes are those of the real ROS 2, recorded on Jazzy."""
+"""Messages as bytes: what of CDR no scenario holds. The bytes come from the real ROS 2, recorded on Jazzy."""
 
 from __future__ import annotations
 

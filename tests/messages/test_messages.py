@@ -223,7 +223,7 @@ def test_a_package_keeps_its_python_modules(package: Package) -> None:
 def test_a_node_imports_modules_of_other_packages(
     package: Package, ros: int, source: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Those of its workspace, without messages; what is installed under such a name goes first."""
+    """The packages of its workspace, without messages; what is installed under such a name goes first."""
     folder = package()
     for name in ("tools", "yaml"):
         code = package(name).parent / source.replace("tools", name)

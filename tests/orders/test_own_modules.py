@@ -1,4 +1,4 @@
-"""``deep`` reaches the modules that are the node's own: beside its file, and in its package."""
+"""``deep`` reaches the modules that are the node's own: in its folder, and in its package."""
 
 from __future__ import annotations
 

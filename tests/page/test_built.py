@@ -39,7 +39,7 @@ def snapshot() -> Path:
 
 
 def build(folder: Path) -> Path:
-    """Build what runs in the page beside a kept snapshot; the folder with it."""
+    """Build what runs in the page, next to a kept snapshot; the folder with it."""
     out = folder / "web" / "live"
     node: list[str | Path] = [ROOT / ".venv/bin/node", "--experimental-wasm-jspi", ROOT / "web/build.mjs"]
     subprocess.run([*node, ROOT / "build/npm", *yaml.__path__, out, "{}"], check=True)
@@ -108,7 +108,7 @@ assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN
 
 
 def test_every_page_has_its_policy(site: Path) -> None:
-    """What may be loaded comes from the site itself; inline scripts are those of the page, by their hashes."""
+    """What may be loaded comes from the site itself; inline scripts are the page's, by their hashes."""
     for path in site.rglob("*.html"):
         if "_static" not in path.parts:
             text = path.read_text(encoding="utf-8")

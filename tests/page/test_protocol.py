@@ -66,7 +66,7 @@ JOBS = {
 
 
 def judging() -> dict[str, Message]:
-    """Answers to the first exercise that are to be judged, by their verdicts."""
+    """Answers to the first exercise to judge, by their verdicts."""
     start, right = map(answer_in, CELLS["first-ticks"])
     answers = {"solved": right, "not yet": "timer = [0, 1, 2]\n", "open": start}
     given: list[Message] = [

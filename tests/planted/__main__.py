@@ -28,7 +28,7 @@ FAULTS: dict[str, dict[str, Any]] = tomllib.loads(Path(__file__).with_name("faul
 _COPIED = ("build/html", "build/doctrees", "build/jupyter_execute", "build/web")
 _SHARED = (".venv", "build/npm", "build/ros2", "build/ros2-kilted")
 
-# What is seen in the pages only after they were built anew.
+# What is seen in the pages only after they were built again.
 _BUILT = ("web/", "src/rosspin/site/", "src/rosspin/page.py")
 
 # A fault may keep a test from ending (s).

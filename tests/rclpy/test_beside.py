@@ -1,4 +1,4 @@
-"""Packages beside rclpy that are in no package index, held to what their own code printed on the real rclpy."""
+"""Packages next to rclpy that are in no package index, compared with what their own code printed on the real rclpy."""
 
 from __future__ import annotations
 

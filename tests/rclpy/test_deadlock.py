@@ -1,4 +1,4 @@
-"""What is said of nodes that wait for ever, and of those that only seem to."""
+"""What is said of nodes in a deadlock, and of others that only seem to be."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Several processes of ROS 2 in one run are held to the real ones: each does what is recorded of it."""
+"""Several processes of ROS 2 in one run are compared with the real ones: each does what is recorded of it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""rclpy's services: what the scenarios cannot say, of one run's record, of processes, and of what nobody asks for."""
+"""rclpy's services: what the scenarios cannot say, of a run's record, of processes, and of what is never asked for."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""rclpy's timers, Rates and clocks: when they tick, held to a plain model and to what was measured on the real one."""
+"""rclpy's timers, Rates and clocks: when they tick, compared with a plain model and with the real one."""
 
 from __future__ import annotations
 
@@ -419,7 +419,7 @@ def test_shutdown_and_destruction_wake_a_rate() -> None:
 
 @pytest.mark.parametrize("sleeps", ["rate.sleep()", "time.sleep(0.5)"])
 def test_a_node_that_a_thread_keeps_is_told_why(write: Any, sleeps: str) -> None:
-    """Real nodes are kept in the same way: a Rate's thread sleeps for ever, another that does not ask goes on."""
+    """Real nodes are kept in the same way: a Rate's thread never wakes, another that does not ask continues."""
     path = write(
         f"""
         import threading, time

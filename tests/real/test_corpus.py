@@ -1,6 +1,6 @@
 """On the real ROS 1 and 2 and on the wall clock: a twentieth of the scenarios, chosen by their names.
 
-The real ones do what is recorded beside the scenarios, the stand-ins on the wall clock what they do in simulated time.
+The real ones do what is recorded of the scenarios, the stand-ins on the wall clock what they do in simulated time.
 `make judge` runs all scenarios.
 """
 

@@ -1,7 +1,7 @@
 """What stands in for each fault does what the real ROS does where it can be made to: patterns, not times.
 
 It can: a queue that is full, a process that is killed, stopped or started late, a clock that is set (by what stands
-before the C library's, as nobody may set the machine's). It cannot without a network of one's own: a datagram that is
+before the C library's, as no test may set the machine's). It cannot without a network of one's own: a datagram that is
 lost, comes twice or too late; that the reader throws away the latter two is read from Fast DDS.
 """
 
@@ -340,7 +340,7 @@ def test_the_others_see_at_once_that_a_connection_of_ros_1_breaks(real_1: Starte
 # --- the clock --------------------------------------------------------------------------------------------------------
 
 # Stands before the C library's, and sets the time of day for the one process that asks it to. The kernel's stays as it
-# is, so who waits for a time of day is to wait for that one. A monotonic time is known by being small.
+# is, so who waits for a time of day should wait for that one. A monotonic time is known by being small.
 SHIM = """
     #define _GNU_SOURCE
     #include <dlfcn.h>

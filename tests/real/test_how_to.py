@@ -110,7 +110,7 @@ class _UntilBothCount:
 
 
 def test_the_launch_file_shows_lines_at_once(ros1: Workspace, cpp_nodes: CppNodes) -> None:
-    """Lines that came only at the end could not end the run: it would go on until the time is up."""
+    """Lines that came only at the end could not end the run: it would continue until the time is up."""
     command = cpp_nodes.roslaunch(ros1, "spinner_at_once.launch")
     onward: Any = _UntilBothCount(ros1)
     run = ros1.run(command, NEVER, onward, more=cpp_nodes.environment)
@@ -145,7 +145,7 @@ def test_info_lines_come_in_blocks_while_a_chatty_node_of_ros_1_runs(ros1: Works
 
 @pytest.mark.parametrize("runtime", ["wall", "ros2"])
 def test_lines_of_ros_2_come_at_once_on_stderr(require: Callable[[str], None], tmp_path: Path, runtime: str) -> None:
-    """Lines that came only at the end would never be read: the node goes on until one was."""
+    """Lines that came only at the end would never be read: the node continues until one was."""
     node = str(PACKAGE_ROS2 / "my_robotics_pkg" / "spinner_py_node.py")
     command = [sys.executable, "-m", "rosspin", "run", node]
     environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONUNBUFFERED", "NO_COLOR")}
@@ -169,7 +169,7 @@ def test_lines_of_ros_2_come_at_once_on_stderr(require: Callable[[str], None], t
 
 @pytest.mark.parametrize("namespace", ["/", "/mrp"])
 def test_the_frequency_is_a_parameter_on_the_real_ros_2(require: Callable[[str], None], namespace: str) -> None:
-    """That of the file, 10 Hz, in any namespace."""
+    """The file's, 10 Hz, in any namespace."""
     require("ros2")
     file = str(PACKAGE_ROS2 / "config" / "spinner.yaml")
     args = ["--ros-args", "-r", f"__ns:={namespace}", "--params-file", file]

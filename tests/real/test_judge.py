@@ -1,4 +1,4 @@
-"""``rosspin judge`` where something goes on: an answer that never ends is ended, and so is the command by Ctrl-C."""
+"""``rosspin judge`` where something continues: an answer that never ends is ended, and so is the command by Ctrl-C."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _class(folder: Path, **answers: str) -> None:
 
 
 def test_an_answer_that_never_ends_is_ended(tmp_path: Path) -> None:
-    """As on the page, and the next one is judged; nothing of it goes on."""
+    """As on the page, and the next one is judged; nothing of it continues."""
     _class(tmp_path, ten_hertz=ENDLESS, two_rates=ENDLESS, slow_timer=CELLS["slow-timer"][1].source)
     command = [sys.executable, "-c", _SOON, "judge", "eve.json", "--json"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=NEVER)

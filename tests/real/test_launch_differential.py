@@ -1,4 +1,4 @@
-"""Launch files are held to the real roslaunch: a share of them; `make judge` takes them all."""
+"""Launch files are compared with the real roslaunch: a share of them; `make judge` takes them all."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ def test_the_how_to_is_a_way_to_a_lesson(tmp_path: Path) -> None:
     assert hints == ["Hint 1", "Hint 2", "Show the solution"]
     assert re.search(r"<p class=\"rubric\">Exercise \d+: A faster heartbeat</p>", page)
 
-    # What shows the exercise is made anew with it, and nothing else.
+    # What shows the exercise is made again with it, and nothing else.
     (tree / "lessons/faster_heartbeat.py").write_text(
         FILES["lessons/faster_heartbeat.py"].replace("in seconds", "in s")
     )

@@ -21,7 +21,7 @@ from tests.helpers.seeds import SEED
 from tests.helpers.tree import HELPERS, SOURCE
 
 PROBE = HELPERS / "message_probe.py"
-# Errors that Python itself words, which it does anew now and then.
+# Errors that Python itself words, which change now and then.
 PYTHONS_OWN = ("builtins.", "when writing", "unpack requires")
 
 

@@ -82,7 +82,7 @@ def test_messages_go_from_one_language_to_the_other(
 
 @pytest.mark.parametrize("program", ["timer_probe", "rate_probe"])
 def test_the_real_one_ticks_as_the_stand_in(programs: Programs, nodes: ros2.Nodes, program: str) -> None:
-    """Over lengths drawn anew."""
+    """Over lengths drawn each time."""
     seconds = 12.0
     lengths = [",".join(map(str, random_blocks(program, seed, 20))) for seed in range(SEED, SEED + 3)]
     words = [["--ros-args", "-p", f"blocks:=[{each}]"] for each in lengths]

@@ -307,9 +307,9 @@ def test_a_global_timer_aborts_at_ctrl_c(workspace: ros1.Workspace, cpp_nodes: C
 
 
 def test_a_slow_callback_re_phases_a_cpp_timer(workspace: ros1.Workspace, cpp_nodes: CppNodes) -> None:
-    """After 4.4 periods the timer goes on from there, one period at a time, and says so of none of it."""
+    """After 4.4 periods the timer continues from there, one period at a time, and says so of none of it."""
     command = [cpp_nodes.program("timer_probe"), "_period:=0.2", "_block:=0.88", "_block_call:=2"]
-    with control(bears=0.1):  # a late call 3 is itself one after which the timer goes on from there
+    with control(bears=0.1):  # a late call 3 is itself one after which the timer continues from there
         lines = workspace.run(command, NEVER, Until("timerCallback,4,")).console.splitlines()
         rows = [line.split(",") for line in lines if line.startswith("timerCallback")]
         expected = {int(row[1]): float(row[4]) for row in rows}

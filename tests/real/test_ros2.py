@@ -183,7 +183,7 @@ def test_a_node_deaf_to_ctrl_c_is_killed(ros: None, write: Any, monkeypatch: pyt
                 print("no")
         """
     )
-    with control(bears=0.5):  # it is given 2 s to begin anew
+    with control(bears=0.5):  # it is given 2 s to restart
         run = launch_past("begun", node)
         assert run.console == "begun\nno\nbegun\nrosspin: node.py ended with status 137 (SIGKILL)\n"
 
@@ -308,7 +308,7 @@ def test_the_last_message_of_the_node_on_the_page_is_heard(ros: None, write: Any
 
 @pytest.fixture
 def forgetful() -> Iterator[None]:
-    """ROS 2 is looked for anew, and again after the test."""
+    """ROS 2 is looked for again, and again after the test."""
     caches: Any = (ros2.python, ros2.version)
     for cache in caches:
         cache.cache_clear()

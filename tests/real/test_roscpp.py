@@ -1,4 +1,4 @@
-"""The timers of the real roscpp tick as those of the stand-in do."""
+"""The timers of the real roscpp tick as the stand-in's do."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ PROBE = ROOT / "examples/timing_probes/src/timer_probe.cpp"
 
 
 def test_the_real_roscpp_ticks_as_the_stand_in(cpp_nodes: CppNodes) -> None:
-    """Over lengths drawn anew, with one timer and with two."""
+    """Over lengths drawn each time, with one timer and with two."""
     seconds = 12.0
     seeds = range(SEED, SEED + 4)
     words = {seed: [f"_period:={PERIOD}", f"_blocks:={','.join(map(str, random_blocks(seed, 20)))}"] for seed in seeds}

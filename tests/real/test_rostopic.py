@@ -1,4 +1,4 @@
-"""rostopic hz, held to the real one."""
+"""rostopic hz, compared with the real one."""
 
 from __future__ import annotations
 

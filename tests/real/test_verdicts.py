@@ -1,4 +1,4 @@
-"""The third verdict: what becomes of a test that the machine disturbed, and what the control beside a run sees."""
+"""The third verdict: what becomes of a test that the machine disturbed, and what the control next to a run sees."""
 
 from __future__ import annotations
 
@@ -123,10 +123,10 @@ def test_another_error_is_one_whatever_the_machine_does() -> None:
 @pytest.mark.parametrize(
     ("calls", "stalled"),
     [
-        ([(0.025, 0.0)] * 9, 0),  # on time, and nobody waits
+        ([(0.025, 0.0)] * 9, 0),  # on time, and nothing waits
         ([(0.026, 0.001)] * 9, 0),  # what always is
         ([(0.025, 0.0), (0.3, 0.0), (0.025, 0.0)], 0.3),  # called late itself
-        ([(0.025, 0.025)] * 4, 0.1),  # somebody waits all the time
+        ([(0.025, 0.025)] * 4, 0.1),  # something waits all the time
         ([(0.025, 0.025), (0.025, 0.0)] * 4, 0.025),  # only now and then
         ([(0.025, 0.025), (0.05, 0.0), (0.025, 0.0)], 0.075),  # first the one, then the other
     ],

@@ -79,11 +79,11 @@ class Life:
         self.hold += "os.write(life, b'!')\n"
 
     def began(self) -> bool:
-        """Wait until somebody holds it, for the first time."""
+        """Wait until it is held, for the first time."""
         return bool(select.select([self.read], [], [], NEVER)[0] and os.read(self.read, 1))
 
     def ended(self) -> bool:
-        """Wait until nobody does any longer."""
+        """Wait until it is free again."""
         while select.select([self.read], [], [], NEVER)[0]:
             if not os.read(self.read, 1):
                 return True

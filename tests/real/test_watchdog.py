@@ -1,4 +1,4 @@
-"""Nodes that never let the time go on are ended by a watchdog, which counts the time for which they really work."""
+"""Nodes that never let time pass are ended by a watchdog, which counts the time for which they really work."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ BROKEN = "%%answer two-timers\n1 / 0"
 
 @pytest.fixture(scope="module")
 def executor() -> Iterator[Executor]:
-    """That of a cluster of two processes, of which each does two things at a time."""
+    """A cluster's, of two processes, of which each does two things at a time."""
     with (
         LocalCluster(n_workers=2, threads_per_worker=2, dashboard_address=None) as cluster,  # type: ignore[no-untyped-call]
         Client(cluster) as client,  # type: ignore[no-untyped-call]

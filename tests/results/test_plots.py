@@ -406,7 +406,7 @@ def test_a_saved_svg_stands_alone_in_light_and_dark(tmp_path: Path, plot: Callab
     assert root.attrib["width"].isdigit() and root.attrib["height"].isdigit()
 
 
-# --- matplotlib beside it ---------------------------------------------------------------------------------------------
+# --- next to matplotlib -----------------------------------------------------------------------------------------------
 
 
 def run_python(code: str) -> str:

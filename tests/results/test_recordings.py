@@ -164,7 +164,7 @@ def times(name: str, source: str) -> list[float]:
 
 
 def test_the_set_of_ros_2_is_complete() -> None:
-    """That of rclpy; rclcpp's is in ``test_rclcpp.py``."""
+    """rclpy's; rclcpp's is in ``test_rclcpp.py``."""
 
     def names(ending: str) -> set[str]:
         return {file.stem for file in ROS2.glob(f"*.{ending}") if "_cpp" not in file.stem}

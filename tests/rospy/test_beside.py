@@ -1,4 +1,4 @@
-"""Packages beside rospy, held to what the real ones have printed."""
+"""Packages next to rospy, compared with what the real ones have printed."""
 
 from __future__ import annotations
 

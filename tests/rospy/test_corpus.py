@@ -1,4 +1,4 @@
-"""The stand-in for rospy is held to the real one: in simulated time each scenario does what is recorded beside it."""
+"""The stand-in for rospy is compared with the real one: in simulated time each scenario does what is recorded of it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The helpers of rospy's modules, held to the real ones by random values and to what rospy's own tests ask of them.
+"""The helpers of rospy's modules, compared with the real ones by random values, and what rospy's own tests ask of them.
 
 rospy's unit tests that need no master are in ros_comm's ``test/test_rospy/test/unit``, genpy's in its ``test``. They
 are in no package that can be installed, so each has a test here that is named after it and checks what it does. What

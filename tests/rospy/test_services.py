@@ -60,7 +60,7 @@ def takes(seconds: float) -> Callable[[Any], Any]:
 
 
 def said(console: str) -> list[str]:
-    """The lines of nodes, without those of roslaunch."""
+    """The lines of nodes, without roslaunch's."""
     return [line for line in console.splitlines() if not line.startswith("[")]
 
 

@@ -1,4 +1,4 @@
-"""rospy.Time and rospy.Duration, held to whole nanoseconds, and the texts of their errors."""
+"""rospy.Time and rospy.Duration, in whole nanoseconds, and the texts of their errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""rospy.Rate, rospy.Timer and rospy.sleep: when they tick, held to a plain model."""
+"""rospy.Rate, rospy.Timer and rospy.sleep: when they tick, compared with a plain model."""
 
 from __future__ import annotations
 
@@ -488,7 +488,7 @@ def test_a_jump_back_ends_a_timer_unless_it_resets() -> None:
     assert ticks == [10.5, 10.5, 11.0]
     assert console.endswith("rospy.exceptions.ROSTimeMovedBackwardsException: ROS time moved backwards\n")
     ticks, console = on_ros_time(lambda: start_timer(reset=True), *times)
-    # The rate starts anew at 5.0: one call at once, as sleep has returned.
+    # The rate restarts at 5.0: one call at once, as sleep has returned.
     assert ticks == [10.5, 10.5, 11.0, 5.0, 5.5, 6.0]
     assert console == ""
 
@@ -646,7 +646,7 @@ def test_what_an_event_has_not_is_an_error() -> None:
 
 
 def test_the_time_that_is_told_wakes_all_who_sleep_by_it() -> None:
-    """At once, and a sleep ends with the very time that it is to end at."""
+    """At once, and a sleep ends with the very time at which it should end."""
 
     def node() -> None:
         rospy.init_node("node")

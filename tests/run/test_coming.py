@@ -63,7 +63,7 @@ def test_while_a_call_goes_on(node: Path, seconds: float, wanted: list[float]) -
     [
         (ROSPY, LONG[ROSPY], "callback", [2.0, 2.5]),  # roscpp's: 3.1 is the first place of a new grid
         (RCLPY, LONG[RCLPY], "lambda", [2.5, 3.0]),
-        (RCLPY.with_name("rate_probe.py"), LONG[RCLPY], "Rate", [2.0, 2.5, 3.0]),  # its grid begins anew, too
+        (RCLPY.with_name("rate_probe.py"), LONG[RCLPY], "Rate", [2.0, 2.5, 3.0]),  # its grid restarts, too
     ],
 )
 def test_while_a_call_goes_on_in_cpp(node: Path, args: str, source: str, wanted: list[float]) -> None:
@@ -82,7 +82,7 @@ def test_in_cpp_what_is_on_time_loses_nothing(tmp_path: Path) -> None:
 
 
 def test_a_timer_that_starves() -> None:
-    """Its first call is overdue for ever, the others are lost; and so its row says."""
+    """Its first call stays overdue, the others are lost; and so its row says."""
     args = "--ros-args -p block:=0.8 -p second_timer:=true -p executor:=multi".split()
     run = simulate(RCLPY, 3.2, args)
     assert gone(run, "second_callback") == [1.0, 1.5, 2.0, 2.5, 3.0]
@@ -110,7 +110,7 @@ def test_what_has_ended_loses_nothing() -> None:
     assert [simulate(node, 3.0).coming for node in (cancelled, once, returns)] == [(), (), ()]
 
 
-# --- Rates: the pass that goes on at the end is one of those that come ------------------------------------------------
+# --- Rates: the pass that is on its way at the end is one of those that come ------------------------------------------
 
 
 def of_ros1(passes: Iterable[float], after: Callable[[], object] = lambda: None) -> Callable[[], None]:
@@ -151,7 +151,7 @@ def of_ros2(passes: Iterable[float], after: Callable[[], object] = lambda: None)
     ("loop", "seconds", "wanted"),
     [
         (of_ros1, 1.7, []),  # it would still catch up: the passes of 1.0 and 1.5 would begin now
-        (of_ros1, 2.7, [1.5, 2.0, 2.5]),  # more than three periods late: that of 1.0 would begin now, and a new grid
+        (of_ros1, 2.7, [1.5, 2.0, 2.5]),  # more than three periods late: 1.0's would begin now, and a new grid
         (of_ros2, 1.4, []),  # the pass of 1.0 would begin late
         (of_ros2, 2.7, [1.5, 2.0, 2.5]),  # and so it would here, but no other
     ],
@@ -179,7 +179,7 @@ def test_a_loop_that_sleeps_or_is_on_time_loses_nothing(
 def test_a_loop_that_has_ended_has_no_pass_due(
     loop: Callable[[Iterable[float], Callable[[], object]], Callable[[], None]],
 ) -> None:
-    """Although its Rate is still there, and its function goes on."""
+    """Although its Rate is still there, and its function still runs."""
     waits = rospy.spin if loop is of_ros1 else lambda: time.sleep(20)
     run = simulate(loop([0.1, 0.1], waits), 5.0)
     assert [tick.number for tick in run.ticks] == [1, 2]
@@ -187,7 +187,7 @@ def test_a_loop_that_has_ended_has_no_pass_due(
 
 
 def test_a_rate_that_nobody_wakes() -> None:
-    """Its second pass is overdue for ever, those after it are lost."""
+    """Its second pass stays overdue, the passes after it are lost."""
 
     def main() -> None:
         rclpy.init()

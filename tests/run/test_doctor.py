@@ -1,4 +1,4 @@
-"""What `rosspin doctor` says of the recordings beside the project's tests; nothing where these are not."""
+"""What `rosspin doctor` says of the recordings in the project's tests; nothing where these are not."""
 
 from __future__ import annotations
 

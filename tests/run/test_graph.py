@@ -1,4 +1,4 @@
-"""The log of ticks: each keeps its place, its fields and its duration, whoever records beside it."""
+"""The log of ticks: each keeps its place, its fields and its duration, whoever else records."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ pytestmark = pytest.mark.shares(3)
 
 ROS_2 = corpus_ros2.SCENARIOS
 
-# In these a node looks at its connections, or nobody else is connected: here the test is.
+# In these a node looks at its connections, or no other node is connected: here the test is.
 CONNECTED = {
     *(
         "topics_before_init",
@@ -38,7 +38,7 @@ CONNECTED = {
 
 
 def contents(run: Run) -> list[object]:
-    """A run without what differs between equal ones: addresses, classes made anew, and NaN."""
+    """A run without what differs between equal ones: addresses, classes made again, and NaN."""
     messages = []
     for topic, node, when, message in run.messages:
         if not hasattr(message, "serialize"):  # of ROS 2

@@ -56,7 +56,7 @@ def test_a_random_seed_is_drawn_once() -> None:
 
 
 def _seed(given: dict[str, str]) -> int:
-    """The seed in a process, which is also that of a process that this one starts."""
+    """The seed in a process, which a process that this one starts has, too."""
     code = "import os, subprocess, sys; from tests.helpers import seeds; print(seeds.SEED, flush=True)\n"
     code += "if len(sys.argv) < 3: subprocess.run([sys.executable, '-c', sys.argv[1], '', ''], check=True)"
     environment = {name: value for name, value in os.environ.items() if name != "ROSSPIN_SEED"} | given

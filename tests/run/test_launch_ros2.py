@@ -1,4 +1,4 @@
-"""Launch files of ROS 2 in simulated time, held to what the real ``ros2 launch`` did with them.
+"""Launch files of ROS 2 in simulated time, compared with what the real ``ros2 launch`` did with them.
 
 A recording is the console, with its status, without what differs each time. Lines of different processes come in any
 order on a real machine, so what is compared is what each of them printed, in its order, and what launch said of each.
@@ -274,7 +274,7 @@ def test_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_a_file_called_launch_py_is_one(tmp_path: Path) -> None:
-    """It hides the package ``launch`` from nobody."""
+    """It does not hide the package ``launch``."""
     text = (
         "from launch import LaunchDescription\nfrom launch.actions import LogInfo\n"
         "def generate_launch_description():\n    return LaunchDescription([LogInfo(msg='here')])\n"

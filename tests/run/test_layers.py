@@ -47,7 +47,7 @@ LAYERS = [
     "__main__",
 ]
 
-# Whole modules, and those of their parts that name them in annotations: an end of a topic has its node. In the real
+# Whole modules, and parts that name them in annotations: an end of a topic has its node. In the real
 # rclpy the modules context, executors, logging_service, parameter_service, qos_overriding_options, time_source, task
 # and exceptions do so, too. There is no other circle, not even one of annotations.
 PARTS = {

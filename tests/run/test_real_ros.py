@@ -60,7 +60,7 @@ def test_make_ros1_installs_what_the_error_names() -> None:
 
 @pytest.fixture
 def forgetful() -> Iterator[None]:
-    """ROS 2 is looked for anew, and again after the test."""
+    """ROS 2 is looked for again, and again after the test."""
     caches: Any = (ros2.python, ros2.version)
     for cache in caches:
         cache.cache_clear()

@@ -355,7 +355,7 @@ def test_an_installed_node_finds_what_was_installed_with_it(layout: str, tmp_pat
 
 
 def test_a_node_of_ros_2_finds_the_folders_of_packages(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Those of its workspace; a package has one folder, its source."""
+    """The packages of its workspace; a package has one folder, its source."""
     for name in ("mine", "other"):
         (tmp_path / "src" / name).mkdir(parents=True)
         (tmp_path / "src" / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
@@ -564,7 +564,7 @@ def test_what_is_no_node(run: Any) -> None:
 
 
 def test_a_node_may_import_its_own_package(write: Any, tmp_path: Path) -> None:
-    """As after a build: that of the folder in which it is."""
+    """As after a build: the one for the folder in which it is."""
     (tmp_path / "pkg").mkdir()
     write("", "pkg/__init__.py")
     write("value = 1", "pkg/helper.py")

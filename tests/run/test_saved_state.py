@@ -160,7 +160,7 @@ def _told(run: Run) -> list[Any]:
 
 
 def spoil(folder: Path, ros: int, *changes: str) -> None:
-    """Run a node that makes these changes. What becomes of it, nobody asks."""
+    """Run a node that makes these changes. What becomes of it does not matter."""
     path = folder / f"spoiler{ros}.py"
     path.write_text(_BEGIN[ros] + "".join(f"try:\n    {each}\nexcept AttributeError: pass\n" for each in changes))
     try:

@@ -1,4 +1,4 @@
-"""What executors do, step by step: told as it happens, in simulated time, and only if somebody asks for it."""
+"""What executors do, step by step: told as it happens, in simulated time, and only if asked for."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def test_on_one_thread_the_quick_callback_waits_for_the_slow_one() -> None:
 
 
 def test_of_several_nodes_each_is_named() -> None:
-    """The lines are those of the first one."""
+    """The lines are the first one's."""
     folder = EXAMPLES / "my_robotics_pkg_ros2/my_robotics_pkg"
     run = Told(folder / "publisher_py_node.py", 0.6, folder / "subscriber_py_node.py")
     assert [said for said in run.said if said.startswith("0.5: ") and "No" not in said] == [
@@ -184,7 +184,7 @@ def test_with_a_group_each_nothing_waits() -> None:
 
 
 def test_who_wakes_a_rate() -> None:
-    """The thread that spins calls the Rate's timer; the loop in another thread goes on after that."""
+    """The thread that spins calls the Rate's timer; the loop in another thread continues after that."""
     run = told("my_robotics_pkg_ros2/my_robotics_pkg/spinner_rate", 0.7)
     steps = [said for said in run.said if said.startswith("0.5")]
     assert [step.partition(": ")[2] for step in steps[:4]] == [

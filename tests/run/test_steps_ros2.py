@@ -226,7 +226,7 @@ def test_wrong_calls_to_a_node_of_ros_2_are_errors_and_do_nothing() -> None:
             node.serve("drive", "std_srvs/Nothing", lambda request: None)
         with pytest.raises(LookupError, match="no node offers /drive/_action/send_goal"):
             node.send_goal("drive", order=3)
-        node.serve("drive", "std_srvs/SetBool", lambda request: None)  # beside the node's own
+        node.serve("drive", "std_srvs/SetBool", lambda request: None)  # as well as the node's own
         node.call("drive", data=True)
         assert [call.server for call in node.advance(0.5).calls] == ["/asker"]
 

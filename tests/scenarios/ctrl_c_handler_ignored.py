@@ -1,4 +1,4 @@
-"""Ctrl-C ignored after init_node: the node goes on, until a threading.Timer shuts it down."""
+"""Ctrl-C ignored after init_node: the node continues, until a threading.Timer shuts it down."""
 
 import signal
 import threading

@@ -1,4 +1,4 @@
-"""With disable_signals Ctrl-C is Python's own: a KeyboardInterrupt, which nobody catches here."""
+"""With disable_signals Ctrl-C is Python's own: a KeyboardInterrupt, which is not caught here."""
 
 import rospy
 from scenario import P, begin

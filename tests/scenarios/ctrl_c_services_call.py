@@ -1,4 +1,4 @@
-"""Ctrl-C while a call waits: it goes on waiting until the handler has ended."""
+"""Ctrl-C while a call waits: it keeps waiting until the handler has ended."""
 
 import rospy
 from scenario import attempt, begin, block, mark

@@ -1,4 +1,4 @@
-"""The caller holds a lock that the handler needs: the main waits for ever, and the node must be killed."""
+"""The caller holds a lock that the handler needs: the main never wakes, and the node must be killed."""
 
 import threading
 

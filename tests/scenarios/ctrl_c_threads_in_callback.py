@@ -1,4 +1,4 @@
-"""Ctrl-C while a timer's callback waits for an event: spin returns, nobody waits for the callback."""
+"""Ctrl-C while a timer's callback waits for an event: spin returns, without waiting for the callback."""
 
 import threading
 

@@ -1,4 +1,4 @@
-"""Ctrl-C while the main waits for a lock: it goes on waiting until a thread that saw the shutdown releases it."""
+"""Ctrl-C while the main waits for a lock: it keeps waiting until a thread that saw the shutdown releases it."""
 
 import threading
 

@@ -1,4 +1,4 @@
-"""The main waits for a lock that nobody releases: Ctrl-C runs the hooks, and then the node must be killed."""
+"""The main waits for a lock that is never released: Ctrl-C runs the hooks, and then the node must be killed."""
 
 import threading
 

@@ -1,4 +1,4 @@
-"""A ROSInterruptException that nobody catches."""
+"""A ROSInterruptException that is not caught."""
 
 import rospy
 

@@ -1,4 +1,4 @@
-"""A Rate whose period is set anew while it runs, and whose current period is said to begin now."""
+"""A Rate whose period is changed while it runs, and whose current period is said to begin now."""
 
 import rospy
 from scenario import P, begin, block, mark

@@ -1,4 +1,4 @@
-"""On a ROS time that jumps backward: a timer's thread dies, one with reset goes on from there."""
+"""On a ROS time that jumps backward: a timer's thread dies, one with reset continues from there."""
 
 import rospy
 from scenario import begin, block

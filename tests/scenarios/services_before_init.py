@@ -1,4 +1,4 @@
-"""Before init_node() a service can be made, but nobody finds it; its name is that which it would have then."""
+"""Before init_node() a service can be made, but it is not found; its name is that which it would have then."""
 
 import rospy
 from scenario import attempt, begin

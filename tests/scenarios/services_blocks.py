@@ -1,4 +1,4 @@
-"""A call blocks its caller until the answer is there; timers and other callers go on."""
+"""A call blocks its caller until the answer is there; timers and other callers continue."""
 
 import rospy
 from scenario import P, begin, block, end_after, mark, say

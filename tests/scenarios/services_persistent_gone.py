@@ -1,4 +1,4 @@
-"""A service that has shut down goes on for those who are connected."""
+"""A service that has shut down still answers those who are connected."""
 
 import rospy
 from scenario import attempt, begin

@@ -1,4 +1,4 @@
-"""Service.shutdown() takes the service away; what runs goes on, and the name is free again."""
+"""Service.shutdown() takes the service away; what runs continues, and the name is free again."""
 
 import threading
 

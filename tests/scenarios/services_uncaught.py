@@ -1,4 +1,4 @@
-"""A ServiceException that nobody catches ends the main."""
+"""A ServiceException that is not caught ends the main."""
 
 import rospy
 from scenario import begin

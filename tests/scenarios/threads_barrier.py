@@ -1,4 +1,4 @@
-"""Three threads meet at a barrier, twice; its action runs once each time, before any of them goes on."""
+"""Three threads meet at a barrier, twice; its action runs once each time, before any of them continues."""
 
 import threading
 

@@ -1,4 +1,4 @@
-"""The clocks of the time module go on alike in a thread and in the main."""
+"""The clocks of the time module run alike in a thread and in the main."""
 
 import threading
 import time

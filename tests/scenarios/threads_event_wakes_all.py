@@ -1,4 +1,4 @@
-"""All that wait for an event go on when it is set; who comes later does not wait."""
+"""All that wait for an event continue when it is set; who comes later does not wait."""
 
 import threading
 

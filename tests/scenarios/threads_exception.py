@@ -1,4 +1,4 @@
-"""An exception in a thread: a traceback with its name on stderr; the others and the node go on, the status is 0."""
+"""An exception in a thread: a traceback with its name on stderr; the others and the node continue, the status is 0."""
 
 import threading
 

@@ -1,4 +1,4 @@
-"""Releasing what nobody holds, waiting without holding, and other mistakes with locks."""
+"""Releasing what is not held, waiting without holding, and other mistakes with locks."""
 
 import threading
 

@@ -1,4 +1,4 @@
-"""A callback that fails between acquire and release keeps the lock for ever: the other timer ticks no more."""
+"""A callback that fails between acquire and release never releases the lock: the other timer ticks no more."""
 
 import threading
 

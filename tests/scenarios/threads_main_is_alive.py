@@ -1,4 +1,4 @@
-"""A worker that goes on as long as the main thread is alive ends with it."""
+"""A worker that runs as long as the main thread is alive ends with it."""
 
 import threading
 

@@ -1,4 +1,4 @@
-"""A node of a student: an Event lets the motor loop run, a timer stops it and another one lets it go on."""
+"""A node of a student: an Event lets the motor loop run, a timer stops it and another one restarts it."""
 
 import threading
 

@@ -1,4 +1,4 @@
-"""A node of a student: threads wait for a state of their own; whoever has it goes on to the next one."""
+"""A node of a student: threads wait for a state of their own; whoever has it moves to the next one."""
 
 import threading
 

@@ -1,4 +1,4 @@
-"""A threading.Timer that starts the next one after its work drifts; a rospy.Timer beside it does not."""
+"""A threading.Timer that starts the next one after its work drifts; a rospy.Timer does not."""
 
 import threading
 

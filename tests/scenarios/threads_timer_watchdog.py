@@ -1,4 +1,4 @@
-"""A student's watchdog: each tick winds up a threading.Timer anew; when ticks stay away it barks, once."""
+"""A student's watchdog: each tick restarts a threading.Timer; when ticks stay away it barks, once."""
 
 import threading
 

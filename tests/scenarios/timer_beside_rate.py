@@ -1,4 +1,4 @@
-"""A Rate loop in the main beside a timer; each is blocked once and the other goes on."""
+"""A Rate loop in the main and a timer; each is blocked once and the other continues."""
 
 import rospy
 from scenario import P, begin, block, mark, mark_event, now

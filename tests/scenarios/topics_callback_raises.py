@@ -1,4 +1,4 @@
-"""An exception in a callback is logged, and all goes on."""
+"""An exception in a callback is logged, and all continues."""
 
 import rospy
 from scenario import begin, block, say

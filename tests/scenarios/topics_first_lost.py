@@ -1,4 +1,4 @@
-"""What is published before a subscriber is connected is lost, and nobody is told."""
+"""What is published before a subscriber is connected is lost, without a word."""
 
 import rospy
 from scenario import begin, block, say

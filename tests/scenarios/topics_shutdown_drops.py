@@ -1,4 +1,4 @@
-"""At shutdown a callback that runs goes on to its end, and what waits behind it is dropped."""
+"""At shutdown a callback that runs continues to its end, and what waits behind it is dropped."""
 
 import rospy
 from scenario import begin, block, say

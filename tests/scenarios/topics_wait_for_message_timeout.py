@@ -1,4 +1,4 @@
-"""wait_for_message() with a timeout, in seconds or as a Duration, of what nobody publishes."""
+"""wait_for_message() with a timeout, in seconds or as a Duration, of what is never published."""
 
 import rospy
 from scenario import P, begin, mark, say

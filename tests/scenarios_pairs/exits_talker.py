@@ -1,4 +1,4 @@
-"""Goes on when its listener has ended."""
+"""Continues when its listener has ended."""
 
 import rclpy
 from scenario import say, spin_for, spin_until

@@ -1,4 +1,4 @@
-"""Publishes before and after anybody listens: what came before is lost."""
+"""Publishes before and after there is a listener: what came before is lost."""
 
 import rclpy
 from scenario import invite, say, spin_until

@@ -1,4 +1,4 @@
-"""Hears that messages of another process are late, and goes on hearing it when that has ended."""
+"""Hears that messages of another process are late, and still hears it when that has ended."""
 
 import rclpy
 from rclpy.duration import Duration

@@ -1,4 +1,4 @@
-"""Calls its node as the other process does: nobody complains, both take part."""
+"""Calls its node as the other process does: neither complains, both take part."""
 
 import rclpy
 from scenario import say, spin_until

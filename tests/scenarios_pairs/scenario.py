@@ -54,7 +54,7 @@ _KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
 def invite(node, guests=1):
-    """Let those who wait for an invitation go on, and see that they have got it."""
+    """Wake those who wait for an invitation, and see that they have got it."""
     publisher = node.create_publisher(Empty, "/invitation", _KEPT)
     spin_until(node, lambda: publisher.get_subscription_count() == guests)
     publisher.publish(Empty())
@@ -62,7 +62,7 @@ def invite(node, guests=1):
 
 
 def wait_for_invitation(node):
-    """Spin until the other process invites to go on."""
+    """Spin until the other process invites to continue."""
     came = []
     subscription = node.create_subscription(Empty, "/invitation", came.append, _KEPT)
     spin_until(node, lambda: came)

@@ -1,4 +1,4 @@
-"""A server that was killed still counts as ready: nobody says that it is gone, and no answer comes."""
+"""A server that was killed still counts as ready: it is not said to be gone, and no answer comes."""
 
 import rclpy
 from scenario import say, spin_until

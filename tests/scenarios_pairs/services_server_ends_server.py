@@ -1,4 +1,4 @@
-"""Ends its context while it is asked, and begins anew when it is invited."""
+"""Ends its context while it is asked, and restarts when it is invited."""
 
 import rclpy
 from scenario import say, spin_for, spin_until, wait_for_invitation

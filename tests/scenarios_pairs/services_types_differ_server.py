@@ -1,4 +1,4 @@
-"""Offers the service with its own type; nobody asks."""
+"""Offers the service with its own type; it is never asked."""
 
 import rclpy
 from scenario import say, wait_for_invitation

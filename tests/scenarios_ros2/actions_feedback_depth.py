@@ -1,4 +1,4 @@
-"""Feedback that comes while nobody can take it: the newest of it is kept."""
+"""Feedback that comes while it cannot be taken: the newest of it is kept."""
 
 import rclpy
 from rclpy.action import ActionClient, ActionServer

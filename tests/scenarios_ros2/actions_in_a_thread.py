@@ -1,4 +1,4 @@
-"""send_goal, cancel_goal and get_result wait, in a thread beside the one that spins."""
+"""send_goal, cancel_goal and get_result wait, in another thread than the one that spins."""
 
 import os
 import threading

@@ -1,4 +1,4 @@
-"""An exception in the function that executes a goal aborts the goal, and the node goes on."""
+"""An exception in the function that executes a goal aborts the goal, and the node continues."""
 
 import rclpy
 from rclpy.action import ActionClient, ActionServer

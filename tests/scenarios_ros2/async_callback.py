@@ -1,4 +1,4 @@
-"""A timer's callback that awaits a future which another timer sets: the executor goes on meanwhile."""
+"""A timer's callback that awaits a future which another timer sets: the executor continues meanwhile."""
 
 import rclpy
 from rclpy.task import Future

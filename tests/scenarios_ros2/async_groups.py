@@ -1,4 +1,4 @@
-"""While an async callback awaits, its group is taken: a timer of the same group waits, that of another does not."""
+"""While an async callback awaits, its group is taken: a timer of the same group waits, another group's does not."""
 
 import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup

@@ -14,7 +14,7 @@ def threshold(forward=None, backward=None, **more):
 
 
 def watch(name, limit):
-    """Print what the clock tells before and after; how long after is that of the system tells nothing."""
+    """Print what the clock tells before and after; on the system's clock, how long after tells nothing."""
 
     def before():
         say("   before", name, clock.now().nanoseconds if clock.ros_time_is_active else "the system's")

@@ -1,4 +1,4 @@
-"""After Ctrl-C each line that a node logs has one of rcl beside it, until somebody shuts down."""
+"""After Ctrl-C each line that a node logs comes with one of rcl, until the shutdown."""
 
 import rclpy
 from scenario import P, begin

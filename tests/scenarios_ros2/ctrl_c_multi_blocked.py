@@ -1,4 +1,4 @@
-"""Ctrl-C under a MultiThreadedExecutor while a callback runs in another thread: it goes on to its end."""
+"""Ctrl-C under a MultiThreadedExecutor while a callback runs in another thread: it continues to its end."""
 
 import rclpy
 from rclpy.executors import MultiThreadedExecutor

@@ -1,4 +1,4 @@
-"""Ctrl-C in the endless first sleep of a Rate that nobody spins for."""
+"""Ctrl-C in the endless first sleep of a Rate for which no thread spins."""
 
 import rclpy
 from scenario import P, begin, mark

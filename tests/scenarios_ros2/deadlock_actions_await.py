@@ -1,4 +1,4 @@
-"""A callback that awaits a goal keeps its group, and so the answer from being taken: it waits for ever."""
+"""A callback that awaits a goal keeps its group, and so the answer from being taken: it never continues."""
 
 import rclpy
 from rclpy.action import ActionClient, ActionServer

@@ -1,4 +1,4 @@
-"""call() in a callback of a MultiThreadedExecutor, in the group of the client: it waits for its own end, for ever."""
+"""call() in a callback of a MultiThreadedExecutor, in the group of the client: it waits for its own end."""
 
 import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup

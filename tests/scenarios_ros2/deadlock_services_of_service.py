@@ -1,4 +1,4 @@
-"""call() in a callback, in the group of the service that is to answer: it is never asked."""
+"""call() in a callback, in the group of the service that should answer: it is never asked."""
 
 import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup

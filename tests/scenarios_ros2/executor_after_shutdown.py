@@ -1,4 +1,4 @@
-"""An executor that was shut down is used again, and what it was to do."""
+"""An executor that was shut down is used again, and what it should have done."""
 
 import rclpy
 from rclpy.executors import SingleThreadedExecutor

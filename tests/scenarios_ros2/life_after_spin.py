@@ -1,4 +1,4 @@
-"""How long a node stays that was spun, kept by nobody, and never destroyed."""
+"""How long a node stays that was spun, kept nowhere, and never destroyed."""
 
 import gc
 

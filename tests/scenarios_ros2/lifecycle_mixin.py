@@ -1,4 +1,4 @@
-"""The mixin beside a node class of one's own, with another group for the services, and a remapped event."""
+"""The mixin together with a node class of one's own, with another group for the services, and a remapped event."""
 
 import rclpy
 from lifecycle_msgs.srv import GetState

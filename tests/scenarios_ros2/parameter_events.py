@@ -1,4 +1,4 @@
-"""Each change of a parameter is told on /parameter_events, that of another node, too."""
+"""Each change of a parameter is told on /parameter_events, another node's, too."""
 
 import rclpy
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent

@@ -1,4 +1,4 @@
-"""What is no callback of parameters: some are refused when they are added, others when they are to be called."""
+"""What is no callback of parameters: some are refused when they are added, others when they should be called."""
 
 import rclpy
 from rclpy.parameter import Parameter

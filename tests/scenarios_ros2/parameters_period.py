@@ -1,4 +1,4 @@
-"""The period of a timer from a parameter, with a callback that looks at what is to be set and changes the timer."""
+"""The period of a timer from a parameter, with a callback that looks at what will be set and changes the timer."""
 
 import rclpy
 from rcl_interfaces.msg import SetParametersResult

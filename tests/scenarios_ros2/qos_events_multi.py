@@ -1,4 +1,4 @@
-"""The events of an end wait for their callback group, and several threads serve those of several groups."""
+"""The events of an end wait for their callback group, and several threads serve several groups."""
 
 import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup

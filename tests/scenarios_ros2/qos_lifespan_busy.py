@@ -1,6 +1,6 @@
-"""Messages wait while nobody spins: those older than the lifespan of their subscription are gone.
+"""Messages wait while no thread spins: those older than the lifespan of their subscription are gone.
 
-The publisher's own lifespan is that of the messages it keeps for late subscriptions; these here have arrived already.
+The publisher's own lifespan is for the messages it keeps for late subscriptions; these here have arrived already.
 """
 
 import rclpy

@@ -1,4 +1,4 @@
-"""Who subscribes late sees only those of the kept messages that are not older than their lifespan."""
+"""Who subscribes late sees only kept messages that are not older than their lifespan."""
 
 import rclpy
 from rclpy.duration import Duration

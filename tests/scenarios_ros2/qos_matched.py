@@ -1,4 +1,4 @@
-"""Both ends of a topic are told who comes and goes; what happens while nobody spins is told at once."""
+"""Both ends of a topic are told who comes and goes; what happens while no thread spins is told at once."""
 
 import rclpy
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks

@@ -1,4 +1,4 @@
-"""A Rate in a callback under a MultiThreadedExecutor works, beside a timer in another group."""
+"""A Rate in a callback under a MultiThreadedExecutor works, as does a timer in another group."""
 
 import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup

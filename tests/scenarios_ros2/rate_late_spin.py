@@ -1,4 +1,4 @@
-"""The grid of a Rate counts from create_rate, and it sleeps until somebody spins."""
+"""The grid of a Rate counts from create_rate, and it sleeps until a thread spins."""
 
 import threading
 

@@ -1,4 +1,4 @@
-"""A Rate that nobody spins for: its first sleep has no end."""
+"""A Rate for which no thread spins: its first sleep has no end."""
 
 import rclpy
 from scenario import P, begin, end_after, mark

@@ -1,4 +1,4 @@
-"""call() where nobody spins: None when the timeout is over, and the request is still served by whoever spins later."""
+"""call() where no thread spins: None when the timeout is over, and the request is served by whoever spins later."""
 
 import rclpy
 from scenario import P, begin, mark, say

@@ -1,4 +1,4 @@
-"""What the graph knows of services and clients: those of every node are among them."""
+"""What the graph knows of services and clients: every node's are among them."""
 
 import rclpy
 from scenario import attempt, say

@@ -1,4 +1,4 @@
-"""A request that nobody was there to take is lost, even if a server comes later."""
+"""A request for which there was no server is lost, even if a server comes later."""
 
 import rclpy
 from scenario import P, begin, mark, say

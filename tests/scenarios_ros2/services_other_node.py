@@ -1,4 +1,4 @@
-"""A service in a node that nobody spins does not answer; when both are spun, it does."""
+"""A service in a node that is not spun does not answer; when both are spun, it does."""
 
 import rclpy
 from rclpy.executors import SingleThreadedExecutor

@@ -1,4 +1,4 @@
-"""Two services of one name: both are asked, the first answer counts; when one is destroyed, the other goes on."""
+"""Two services of one name: both are asked, the first answer counts; when one is destroyed, the other continues."""
 
 import rclpy
 from scenario import say

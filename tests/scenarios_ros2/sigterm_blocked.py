@@ -1,4 +1,4 @@
-"""SIGTERM while a callback runs: it goes on to its end, then spin returns."""
+"""SIGTERM while a callback runs: it continues to its end, then spin returns."""
 
 import os
 import signal

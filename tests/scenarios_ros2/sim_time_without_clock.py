@@ -1,4 +1,4 @@
-"""use_sim_time with nobody who tells the time: it is 0, and no timer ever ticks."""
+"""use_sim_time without a node that tells the time: it is 0, and no timer ever ticks."""
 
 import rclpy
 from rclpy.parameter import Parameter

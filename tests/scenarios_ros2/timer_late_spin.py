@@ -1,4 +1,4 @@
-"""A timer that nobody spins does not tick; when the spin begins, it ticks at once, once, and then on its grid."""
+"""A timer whose node is not spun does not tick; when the spin begins, it ticks at once, once, and then on its grid."""
 
 import rclpy
 from scenario import P, begin, end_after, mark, until

@@ -1,4 +1,4 @@
-"""A timer that cancels itself in its first call is a one-shot; a second one goes on beside it."""
+"""A timer that cancels itself in its first call is a one-shot; a second one continues."""
 
 import rclpy
 from rclpy.node import Node

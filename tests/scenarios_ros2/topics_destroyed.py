@@ -1,4 +1,4 @@
-"""A subscription that destroys itself after two messages; a publisher that goes on publishing after a shutdown."""
+"""A subscription that destroys itself after two messages; a publisher that still publishes after a shutdown."""
 
 import rclpy
 from scenario import P, attempt, begin, mark, say

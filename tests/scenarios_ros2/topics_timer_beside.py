@@ -1,4 +1,4 @@
-"""A slow subscription beside a timer in one group: the timer waits, but has its turn in each round."""
+"""A slow subscription and a timer in one group: the timer waits, but has its turn in each round."""
 
 import threading
 

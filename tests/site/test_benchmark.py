@@ -1,4 +1,4 @@
-"""The parts of the benchmark run, at tiny sizes; what they measure is nobody's success or failure."""
+"""The parts of the benchmark run, at tiny sizes; what they measure is no success or failure."""
 
 from __future__ import annotations
 

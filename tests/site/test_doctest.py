@@ -1,4 +1,4 @@
-"""Sphinx's own doctest builder catches each form of a lie, in a page and in a notebook; what can be is written anew."""
+"""Sphinx's own doctest builder catches each form of a lie, in a page and in a notebook; what can be is rewritten."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a build makes anew after a change, and what it leaves: as little as possible, and all that follows from it."""
+"""What a build remakes after a change, and what it leaves: as little as possible, and all that follows from it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the site ships of others has their licences beside it, with their whole texts."""
+"""What the site ships of others comes with their licences, with their whole texts."""
 
 from __future__ import annotations
 

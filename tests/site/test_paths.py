@@ -43,7 +43,7 @@ def _steps(name: str) -> list[str]:
 def _lines(name: str) -> Iterator[tuple[str, Tag]]:
     """The lines about a path on the pages that are on it.
 
-    Those of exercises count for the list that has them, unless they lead from one of several to the next.
+    Links of exercises count for the list that has them, unless they lead from one of several to the next.
     """
     pages = [SITE / step for step in dict.fromkeys(step.partition("#")[0] for step in _steps(name))]
     for path in [*pages, *sorted(SITE.glob("exercises/*.html"))]:

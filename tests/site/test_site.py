@@ -69,7 +69,7 @@ def test_links_lead_somewhere(pages: dict[Path, BeautifulSoup]) -> None:
             url = urlsplit(target)
             if url.scheme or url.netloc or target == "#":  # "#" is a button of the theme
                 continue
-            # Those of the page for wrong addresses begin at the site's root.
+            # Links of the page for wrong addresses begin at the site's root.
             below = SITE / url.path.lstrip("/") if path.name == "404.html" else path.parent / unquote(url.path)
             file = below.resolve() if url.path else path
             found = file.is_file() and (not url.fragment or unquote(url.fragment) in anchors.get(file, ()))
@@ -287,7 +287,7 @@ def test_pytest_is_given_files_that_there_are(command: str) -> None:
 def test_simulated_run_works(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Typed as it stands, in a folder that has the examples; those of the wall clock and of ROS are in tests/real."""
+    """Typed as it stands, in a folder that has the examples; tests/real has what needs the wall clock or ROS."""
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     monkeypatch.chdir(tmp_path)
     assert main(["run", *shlex.split(command.partition(" run ")[2])]) == 0

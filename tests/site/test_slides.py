@@ -26,7 +26,7 @@ def test_a_session_takes_90_minutes(site: Path, deck: str) -> None:
 
 @pytest.mark.parametrize("deck", DECKS)
 def test_a_session_keeps_to_the_plan_for_teachers(site: Path, deck: str) -> None:
-    """The minutes of the table are sums of those of slides that follow each other."""
+    """The minutes of the table are sums of the minutes of slides that follow each other."""
     (table,) = (
         tag for tag in parsed(site / "docs/for-teachers.html").select("table") if "What to do" in tag.get_text()
     )

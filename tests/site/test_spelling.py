@@ -111,14 +111,21 @@ def test_a_stiff_word_would_be_noticed(text: str) -> None:
     assert not STIFF.search(fine)
 
 
+REMARKS = re.compile(r'(?<!["\'])#.*|"""(?:.|\n)*?"""')
+
+
 def test_no_stiff_word_is_left() -> None:
     """In the pages, and in messages, docstrings and comments."""
     texts = [ROOT / name for name in ("README.md", "CHANGELOG.md", "index.rst")]
-    for folder in "docs", "notebooks", "src/rosspin", "web/src", "web/test", "tests/helpers":
-        suffixes = {".mjs"} if folder == "tests/helpers" else {".rst", ".md", ".py", ".js", ".mjs", ".css", ".ts"}
+    for folder in "docs", "notebooks", "src/rosspin", "web/src", "web/test":
+        suffixes = {".rst", ".md", ".py", ".js", ".mjs", ".css", ".ts", ".h", ".hpp", ".cpp"}
         texts += [path for path in (ROOT / folder).rglob("*") if path.suffix in suffixes]
-    texts += (ROOT / "web").glob("*.mjs")
+    texts += [*(ROOT / "web").glob("*.mjs"), *(ROOT / "tests").rglob("*.mjs")]
     found = {path: STIFF.findall(_unwrapped(path.read_text(encoding="utf-8"))) for path in texts}
+    for path in (ROOT / "tests").rglob("*.py"):
+        if path != Path(__file__):  # of tests, what is said, not what is run
+            remarks = "\n".join(REMARKS.findall(path.read_text(encoding="utf-8")))
+            found[path] = STIFF.findall(_unwrapped(remarks))
     assert not {path: words for path, words in found.items() if words}
 
 

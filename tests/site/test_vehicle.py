@@ -44,7 +44,7 @@ def test_it_is_on_its_line_at_each_tick() -> None:
 
 
 def test_between_ticks_its_wheels_stay_as_they_are() -> None:
-    """It goes on along the arc on which it was, at its speed."""
+    """It continues along the arc on which it was, at its speed."""
     found = drive(without(4.0, 6.0))
     assert found.overdue == [(4.0, 6.0)]
     places = [found.at(3.5 + 0.1 * n) for n in range(26)]

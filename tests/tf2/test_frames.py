@@ -1,4 +1,4 @@
-"""Transforms between frames, held to what tf2's own core has answered to the same calls: that of Jazzy, of ROS 1."""
+"""Transforms between frames, compared with what tf2's core has answered to the same calls, in Jazzy and in ROS 1."""
 
 from __future__ import annotations
 

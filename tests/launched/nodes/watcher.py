@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Publishes for as long as somebody listens, and tells of who comes and goes."""
+"""Publishes for as long as there is a listener, and tells of who comes and goes."""
 
 import common
 import rospy

@@ -1,4 +1,4 @@
-"""What the nodes beside it do, as words of the command line say: ``KIND,LABEL,RATE[,OPTION=NUMBER]...``."""
+"""What the other nodes do, as words of the command line say: ``KIND,LABEL,RATE[,OPTION=NUMBER]...``."""
 
 import gc
 import random
@@ -54,7 +54,7 @@ class Activity:
             gc.collect()
 
     def loop(self, sleep):
-        """Make passes for ever, each followed by ``sleep``."""
+        """Make passes without end, each followed by ``sleep``."""
         while True:
             self()
             sleep()

@@ -1,4 +1,4 @@
-"""Names that are for what executors wait for, and those of rclpy's C++ module that nodes import."""
+"""Names that are for what executors wait for, and what nodes import of rclpy's C++ module."""
 
 # ruff: noqa: F401
 import rclpy

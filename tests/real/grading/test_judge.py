@@ -156,7 +156,7 @@ def test_a_class(tmp_path: Path) -> None:
         "    1 × The callback begins at 1.2 s and blocks for 1.0 s. Which ticks are overdue when it returns?",
     ]
     assert err.splitlines()[0] == "film.mp4 is refused: it is no file of answers."
-    assert "\r" not in err  # no progress where nobody looks
+    assert "\r" not in err  # no progress where it is not seen
     data = (tmp_path / "table.csv").read_bytes()
     head, ben, ada, cy, film = csv.reader(io.StringIO(data.decode("utf-8-sig")))
     assert data.startswith(b"\xef\xbb\xbf")

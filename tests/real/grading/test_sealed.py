@@ -1,4 +1,4 @@
-"""What answers try against the computer that judges them: as root and as somebody else, with bubblewrap and without."""
+"""What answers try against the computer that judges them: as root and as another user, with bubblewrap and without."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _PATIENT = "import sys, rosspin.grading.lanes as l, rosspin.__main__ as m; l.TIM
 
 @pytest.fixture
 def folder() -> Iterator[Path]:
-    """A folder that everybody can enter, as pytest's own cannot be."""
+    """A folder that all users can enter, as pytest's own cannot be."""
     made = Path(tempfile.mkdtemp(prefix="a töst "))
     made.chmod(0o777)
     yield made
@@ -93,14 +93,14 @@ def user(request: pytest.FixtureRequest, require: Callable[[str], None]) -> str:
     require("bwrap")
     if os.geteuid() and request.param == "root":
         pytest.skip("this is not root")
-    return "root" if os.geteuid() else str(request.param)  # who is not root is somebody already
+    return "root" if os.geteuid() else str(request.param)  # who is not root is another user already
 
 
 # --- with bubblewrap --------------------------------------------------------------------------------------------------
 
 
 def test_no_attack_gets_in(user: str, folder: Path) -> None:
-    """Nor does one of them change what is said of an answer beside it."""
+    """Nor does one of them change what is said of another answer."""
     class_ = folder / "class"
     for name in ATTACKS:
         handed_in(class_, name, "ten-hertz", written(name, folder))
@@ -428,7 +428,7 @@ def test_a_root_that_is_none_outside(folder: Path, require: Callable[[str], None
     assert status == 0 and found["sealed"]
 
 
-# In Docker's usual container, root has these rights only, and nobody makes namespaces, mounts or another root.
+# In Docker's usual container, root has these rights only, and no user makes namespaces, mounts or another root.
 _CONTAINER = """
 import ctypes, os, struct, sys
 libc = ctypes.CDLL(None, use_errno=True)

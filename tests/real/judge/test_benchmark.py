@@ -1,4 +1,4 @@
-"""The parts of the benchmark that need a real clock run, at tiny sizes; what they measure is nobody's success."""
+"""The parts of the benchmark that need a real clock run, at tiny sizes; what they measure is no success."""
 
 from __future__ import annotations
 

@@ -92,7 +92,7 @@ def judge(ledger: Ledger, scenario: Scenario, console: str) -> None:
 
 
 def record(scenario: Scenario, console: str) -> None:
-    """Keep a console, beside the others of a race."""
+    """Keep a console, with the others of a race."""
     known = scenario.recordings
     folder = scenario.path.parent / "recorded"
     folder.mkdir(exist_ok=True)

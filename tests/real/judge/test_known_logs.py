@@ -1,4 +1,4 @@
-"""Logs whose fault is known, anew on the real ROS 1 and ROS 2: what is said of them has to be true each time.
+"""Logs whose fault is known, once more on the real ROS 1 and ROS 2: what is said of them has to be true each time.
 
 A log that is lacking is recorded. The others stay as they are: the rules were written for them.
 """

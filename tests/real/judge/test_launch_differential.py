@@ -1,4 +1,4 @@
-"""Launch files are held to the real roslaunch: all of them."""
+"""Launch files are compared with the real roslaunch: all of them."""
 
 from __future__ import annotations
 

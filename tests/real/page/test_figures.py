@@ -41,7 +41,7 @@ def test_by_touch(browser: Browser, address: str) -> None:
 
 
 def test_the_number_in_the_code_follows(context: BrowserContext, address: str) -> None:
-    """What is moved is the number that stands in the lines beside the figure, and nothing else in them."""
+    """What is moved is the number that stands in the lines next to the figure, and nothing else in them."""
     figure = opened(context.new_page(), address, FIGURES[0])
     code = context.pages[0].locator(".rosspin-beside pre")
     before = code.inner_text()
@@ -167,7 +167,7 @@ def test_moved_figures(page: Page, address: str, name: str) -> None:
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize(("width", "height"), [(390, 844), (1280, 800)])
 def test_the_first_screen(browser: Browser, address: str, width: int, height: int, scheme: Scheme) -> None:
-    """What one will learn, the vehicle and what moves it, and the ways in: nobody has to scroll for them."""
+    """What one will learn, the vehicle and what moves it, and the ways in: all without scrolling."""
     with reader(browser, viewport={"width": width, "height": height}, color_scheme=scheme) as context:
         page = context.new_page()
         page.goto(address)

@@ -114,7 +114,7 @@ def test_what_is_shown_is_bounded_and_stop_ends_it(firefox_page: Tab, address: s
 
 # --- the adversary ----------------------------------------------------------------------------------------------------
 
-# Attempts in which a worker starts another one. There Firefox now and then blocks the first one for ever, even if it is
+# Attempts in which a worker starts another one. There Firefox now and then blocks the first one for good, even if it is
 # all that the code does; a page can still stop it.
 NESTED = ["worker", "worker of data", "worker of a blob", "caches of a blob"]
 

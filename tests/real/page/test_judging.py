@@ -108,7 +108,7 @@ def test_what_comes_out_of_a_sandbox_is_not_trusted(quick: Table) -> None:
 
 
 def test_a_file_from_before_exercises_had_names(table: Table) -> None:
-    """Its numbers are those that exercises had then; what is shown are those of today."""
+    """Its numbers are the ones that exercises had then; today's are shown."""
     table.drop(ada=handed_in("Ada", version=1, answers={"1": RIGHT.replace("first-ticks", "1"), "4": "x"}))
     table.done()
     expect(table.sign(f"Ada, exercise {FIRST}: solved")).to_be_visible()

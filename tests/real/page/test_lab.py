@@ -30,7 +30,7 @@ PATIENCE = 120  # seconds until a server that does not answer is given up
 def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """The address of a JupyterLab started as a reader starts it, with an empty home.
 
-    VENV and BIN: out of the environment that this test runs in, which make is not to make anew meanwhile.
+    VENV and BIN: out of the environment that this test runs in, which make should not rebuild meanwhile.
     """
     port = _free_port()
     home = tmp_path_factory.mktemp("home")

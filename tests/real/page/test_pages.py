@@ -15,8 +15,8 @@ from tests.helpers.looks import FAINT, TOO_WIDE, faults, look
 from tests.helpers.readers import read_to_the_end, reader
 from tests.helpers.tree import SITE
 
-# The pictures that leave more than a little of the place that they have beside them. A ring of waits is not made
-# larger: its lettering is that of the text.
+# The pictures that leave more than a little of the place that they have next to them. A ring of waits is not made
+# larger: its lettering is the text's.
 NARROW = """() => [...document.querySelectorAll("article svg[role=img]:not(.stepper-ring)")].filter(picture => {
     const width = element => element.getBoundingClientRect().width
     const place = width(picture.parentElement) // in which one of two may be seen

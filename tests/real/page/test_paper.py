@@ -41,7 +41,7 @@ def test_both_languages_are_printed(paper: Page, address: str) -> None:
     "name", ["docs/slides/ros2", "docs/tutorial", "docs/how-to/judge-hand-ins", "docs/for-teachers"]
 )
 def test_a_page_is_printed_to_its_end(page: Page, address: str, name: str) -> None:
-    """Each of its links is on the paper, those of its last section, too."""
+    """Each of its links is on the paper, even of its last section."""
     page.goto(f"{address}{name}.html")
     seen = "[...document.querySelectorAll('article a[href]:not(.headerlink)')].filter((a) => a.checkVisibility())"
     links = set(

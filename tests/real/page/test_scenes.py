@@ -148,7 +148,7 @@ def test_the_waits_alone(page: Page, address: str) -> None:
     expect(figure.locator("svg.stepper-ring")).to_have_attribute("aria-label", re.compile("^A ring of waits"))
     assert figure.get_by_role("button").count() == 0
     box = figure.bounding_box()
-    assert box and box["y"] + box["height"] < 900  # at once: nobody has to scroll or to run anything for it
+    assert box and box["y"] + box["height"] < 900  # immediately, without scrolling or running anything
 
 
 @pytest.mark.parametrize("name", ["ros2-executors", "ros2-rate"])
@@ -174,7 +174,7 @@ def test_the_threads_of_a_node_of_ros_1(tutorial: Page) -> None:
 
 @pytest.mark.parametrize("own", ["publisher", "subscriber"])
 def test_nodes_that_run_together(page: Page, address: str, own: str) -> None:
-    """Both are drawn; the lines are those of the listing below which they ran."""
+    """Both are drawn; the lines come from the listing below which they ran."""
     page.goto(f"{address}docs/ros2/publish.html?lang=python")
     unfold(page)
     cell = Cell(page, ["publisher", "subscriber"].index(own))

@@ -61,7 +61,7 @@ def test_a_link_carries_the_code(tutorial: Page, address: str) -> None:
     expect(opened.element.locator(".live-notice")).to_contain_text("This code came with the link")
     expect(opened.element.locator(".live-notice")).to_be_in_viewport()
     assert opened.element.locator("pre").first.text_content() == code
-    expect(opened.element.locator("pre .k").first).to_have_text("import")  # in colours, though nobody opens the editor
+    expect(opened.element.locator("pre .k").first).to_have_text("import")  # in colours, with no editor open
     expect(opened.status).to_have_text("as it came with the link")
     other.wait_for_timeout(500)
     assert opened.text() == ""

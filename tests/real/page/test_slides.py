@@ -109,7 +109,7 @@ def test_the_contents_lead_to_each_slide(page: Page, address: str) -> None:
 
 @pytest.mark.parametrize("deck", DECKS)
 def test_a_listing_runs_and_a_figure_moves(page: Page, address: str, deck: str) -> None:
-    """A key that a clicker sends goes on even from the handle; the arrows move it."""
+    """A key that a clicker sends leads on even from the handle; the arrows move it."""
     opened(page, address, deck)
     page.keyboard.press("ArrowRight")
     page.keyboard.press("ArrowRight")

@@ -62,12 +62,12 @@ def _kept(page: Page) -> list[str]:
 
 
 def _until_kept(page: Page) -> None:
-    """Wait for that of this site, and for no other: some time after the first run."""
+    """Wait for this site's, and for no other: some time after the first run."""
     until(page, lambda: len(kept := _kept(page)) == 1 and kept != ["old"])
 
 
 def test_snapshot_is_kept_for_the_next_page(context: BrowserContext, address: str) -> None:
-    """In place of that of an earlier version of the site."""
+    """In place of an earlier version's."""
     page = context.new_page()
     page.goto(address)
     page.evaluate("async () => (await caches.open('rosspin')).put('snapshot.gz?old', new Response('old'))")
@@ -126,7 +126,7 @@ def test_our_own_files_are_loaded_when_one_is_read(context: BrowserContext, addr
 
 
 def test_node_finds_no_traces_of_the_snapshot(context: BrowserContext, address: str) -> None:
-    """Its environment and its path are those of a plain start; nothing that made the snapshot is left in it."""
+    """Its environment and its path are as in a plain start; nothing that made the snapshot is left in it."""
     text = "import os, sys\nprint(sorted(os.environ.items()), sys.path, sys.argv)\nprint(sorted(globals()))\n"
     found = _first_run(context.new_page(), address, text)
     context.route("**/snapshot.gz*", lambda route: route.abort())

@@ -130,7 +130,7 @@ def test_a_link_leaves_the_readers_own_answer_alone(page: Page, address: str) ->
 
 
 def test_solved_is_the_text_that_solved_it(page: Page, address: str) -> None:
-    """Another one is handed in as it stands, with a word about it; the count goes on to count the exercise."""
+    """Another one is handed in as it stands, with a word about it; the exercise is still counted."""
     answer = Answer(page, address)
     answer.write(RIGHT)
     answer.button("Run").click()
@@ -197,7 +197,7 @@ def test_a_browser_that_keeps_nothing(context: BrowserContext, address: str) -> 
 
 
 def test_answers_of_an_earlier_version_of_the_site(page: Page, address: str) -> None:
-    """They are shown, handed in and counted; their keys go once they are kept anew."""
+    """They are shown, handed in and counted; their keys go once they are kept again."""
     answer = Answer(page, address)
     old = {
         "rosspin:/notebooks/exercises.html:0:1a": WRONG.replace("first-ticks", "1"),
@@ -238,7 +238,7 @@ def test_what_no_teacher_could_read_is_said(page: Page, address: str) -> None:
 
 
 def test_what_others_have_written_there_is_bounded(context: BrowserContext, address: str) -> None:
-    """The pages of another site can have the same storage: whatever they leave in it, those of this one open."""
+    """The pages of another site can have the same storage: whatever they leave in it, this one's pages open."""
     page = context.new_page()
     open_tutorial(page, address)
     cell = Cell(page, TIMER)

@@ -27,7 +27,7 @@ pytestmark = pytest.mark.shares(10)
 
 @pytest.mark.parametrize("index", range(len(LISTINGS)))
 def test_plot_is_there_before_the_first_run(tutorial: Page, index: int) -> None:
-    """It makes way for that of a run, and comes back."""
+    """It makes way for a run's, and comes back."""
     cell = Cell(tutorial, index)
     made = cell.element.locator("figure.live-made")
     ticks = simulate(EXAMPLES / LISTINGS[index], 10).ticks
@@ -47,7 +47,7 @@ def test_plot_is_there_before_the_first_run(tutorial: Page, index: int) -> None:
 
 
 def test_the_axis_goes_to_the_end_of_the_run(tutorial: Page) -> None:
-    """Where nothing ticks any more, that is seen: in the plot that was made, and in that of a run."""
+    """Where nothing ticks any more, that is seen: in the plot that was made, and in a run's."""
     text = node("timer = rospy.Timer(rospy.Duration(0.5), lambda event: timer.shutdown())\nrospy.spin()")
     cell = Cell(tutorial, TIMER)
     cell.write(text)
@@ -96,7 +96,7 @@ rclpy.spin(node)
 def test_a_run_has_crosses_up_to_its_end(tutorial: Page, ros: str, axis: float) -> None:
     """For what its timers and loops lost by the rule of their ROS: the same as below the listing, when it was made.
 
-    In ROS 1 Ctrl-C does not end the last pass, so the axis goes on.
+    In ROS 1 Ctrl-C does not end the last pass, so the axis continues.
     """
     cell = Cell(tutorial, TIMER)
     cell.write(LATE[ros])

@@ -73,7 +73,7 @@ def test_by_touch_on_a_phone(browser: Browser, address: str) -> None:
 
 
 def test_it_plays_once_and_can_be_paused(context: BrowserContext, address: str) -> None:
-    """Without a clock: it goes on while it plays, and stands still when it is paused."""
+    """Without a clock: it moves while it plays, and stands still when it is paused."""
     page = context.new_page()
     page.clock.install()
     figure = opened(page, address)

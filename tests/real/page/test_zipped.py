@@ -97,7 +97,7 @@ def test_a_listing_and_an_exercise_say_that_they_need_a_server(stick: Page, fold
 
 
 def test_a_listing_runs_from_the_server_that_the_first_page_names(page: Page, folder: Path) -> None:
-    """The command for macOS and Linux, as it stands but for the port, which somebody may have taken."""
+    """The command for macOS and Linux, as it stands but for the port, which may be taken."""
     text = unescape((folder / START).read_text(encoding="utf-8"))
     of_windows, command = re.findall(r"<pre>(.*?)</pre>", text)
     assert of_windows.split()[1:] == command.split()[1:]

@@ -136,7 +136,7 @@ def test_a_fact_says_what_is_so_now(code: str, line: int, now: str) -> None:
 
 
 def test_a_fact_keeps_its_annotations() -> None:
-    """They are objects, as in any file: rclpy looks at those of a callback."""
+    """They are objects, as in any file: rclpy looks at a callback's."""
     assert _found("def f(x: int): pass\nassert f.__annotations__['x'] is int") == []
 
 

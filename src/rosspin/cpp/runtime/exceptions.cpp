@@ -45,7 +45,7 @@ struct alignas(16) Header
 
 }  // namespace
 
-// Of the thread that goes on: the exception of its innermost catch clause, and how many are on their way.
+// Of the thread that runs: the exception of its innermost catch clause, and how many are on their way.
 extern "C"
 {
 struct

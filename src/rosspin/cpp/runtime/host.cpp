@@ -34,7 +34,7 @@ constexpr std::int64_t one_look[] = {0, 1'000, 10'000, 100'000, 1'000'000};
 struct Tick
 {
   std::int32_t source, number;
-  std::int64_t expected, real, duration;  // -1 while it goes on
+  std::int64_t expected, real, duration;  // -1 while it lasts
 };
 }  // namespace
 
@@ -189,7 +189,7 @@ namespace detail
 std::int64_t time() { return shared.now; }
 std::int64_t ahead() { return shared.ahead; }
 
-// Nobody else has anything to do before the horizon, so the time goes on to it without the host.
+// Nothing else has anything to do before the horizon, so the time moves to it without the host.
 void go_on(std::int64_t until)
 {
   if (until > shared.now)

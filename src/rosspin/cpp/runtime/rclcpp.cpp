@@ -1358,7 +1358,7 @@ NodeParametersInterface::Result refused(const std::string& reason)
   return result;
 }
 
-// Call those that live; the function returns whether to go on.
+// Call those that live; the function returns whether to continue.
 template<class Handle, class Function>
 void call_each(std::list<std::weak_ptr<Handle>>& all, Function function)
 {
@@ -2068,7 +2068,7 @@ void MultiThreadedExecutor::run()
   }
 }
 
-// One thread at a time waits for calls; those of a group in which one is made already come later.
+// One thread at a time waits for calls; calls of a group in which one is made already come later.
 std::shared_ptr<detail::Callable> MultiThreadedExecutor::take()
 {
   std::lock_guard<std::mutex> lock(mutex_);

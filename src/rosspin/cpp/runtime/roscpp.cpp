@@ -739,7 +739,7 @@ struct TimerImpl::Run : CallbackInterface
   std::uint64_t order;
   CallResult call() override;
   std::int64_t time() const { return timer->clock_(); }
-  // Whether its time is what /clock tells, so that nobody knows how it goes on.
+  // Whether its time is what /clock tells, so that its future is unknown.
   bool is_told() const { return timer->clock_ == time_of<Time> && Time::isSimTime(); }
   // When it is due, in the run's time; never while it does not wait.
   std::int64_t due() const
@@ -1031,7 +1031,7 @@ struct SubscriptionImpl::Queue : CallbackInterface
   std::function<void(Received&)> callback;
   Tracked tracked;
   bool ended = false, concurrent = false;
-  int calls = 0;  // that go on
+  int calls = 0;  // that still run
   std::thread::id caller;
   bool ready() override { return concurrent || !calls || caller == std::this_thread::get_id(); }
   CallResult call() override
@@ -1092,7 +1092,7 @@ std::uint32_t SubscriptionImpl::connections() const
   return ended || !node().ok ? 0 : rosspin::ask("publishers", {id_}).whole;
 }
 
-// The oldest message makes room for the newest; its place in the queue of callbacks is that of the next one.
+// The oldest message makes room for the newest; the next one takes its place in the queue of callbacks.
 void SubscriptionImpl::receive(const boost::shared_ptr<Received>& message)
 {
   call_due_timers();

@@ -1,4 +1,4 @@
-// Threads, as the C++ library knows them: pthreads that take turns. One goes on when the one before it waits; of those that
+// Threads, as the C++ library knows them: pthreads that take turns. One runs when the one before it waits; of those that
 // could, the one whose time was first, and of these the one that has waited longest.
 #include "rosspin/host.h"
 
@@ -62,7 +62,7 @@ std::uint64_t places = 0;
 int keys = 0;
 void (*destroys[most_keys])(void*);
 
-// The next one to go on: time may have to do so first.
+// The next one to run: time may have to pass first.
 Thread* next_thread()
 {
   for (;;)
@@ -292,7 +292,7 @@ int pthread_detach(pthread_t detached)
 
 void pthread_exit(void* value) { throw Exit{value}; }
 
-// An exception has left main. If that was to leave nothing but its thread, wait for the other threads.
+// An exception has left main. If that should have left nothing but its thread, wait for the other threads.
 void rosspin_left_main()
 {
   try

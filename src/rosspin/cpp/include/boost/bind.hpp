@@ -1,4 +1,4 @@
-// Boost's bind and function are those of the standard library; its placeholders are in the global namespace.
+// Boost's bind and function are the standard library's; its placeholders are in the global namespace.
 #ifndef ROSSPIN_BOOST_BIND_HPP
 #define ROSSPIN_BOOST_BIND_HPP
 

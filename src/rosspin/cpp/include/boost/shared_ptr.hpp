@@ -1,4 +1,4 @@
-// Boost's shared pointers are those of the standard library.
+// Boost's shared pointers are the standard library's.
 #ifndef ROSSPIN_BOOST_SHARED_PTR_HPP
 #define ROSSPIN_BOOST_SHARED_PTR_HPP
 

@@ -1,4 +1,4 @@
-// Boost's threads and locks are those of the standard library.
+// Boost's threads and locks are the standard library's.
 #ifndef ROSSPIN_BOOST_THREAD_HPP
 #define ROSSPIN_BOOST_THREAD_HPP
 

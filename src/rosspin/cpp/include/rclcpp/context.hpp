@@ -82,7 +82,7 @@ public:
 
   // What follows is not rclcpp's. Its number at the host; negative before init.
   std::int64_t id() const { return id_; }
-  // Raises what making anything in it raises, unless it goes on.
+  // Raises what making anything in it raises, unless it continues.
   void check(const char* what) const;
 
 private:

@@ -118,7 +118,7 @@ public:
   std::int64_t id() const { return id_; }
   const std::string& logger_name() const { return logger_; }
   const std::map<std::string, rosspin::Value>& overrides() const { return overrides_; }
-  // Return the group of what is to be made; raises if it is another node's.
+  // Return the group of what should be made; raises if it is another node's.
   CallbackGroup::SharedPtr group_for(const CallbackGroup::SharedPtr& given, const char* what);
   // Ask the host something of this node; raises what it answers with.
   rosspin::Value ask(const std::string& what, std::vector<rosspin::Value> values, const char* failed) const;

@@ -248,7 +248,7 @@ void deserialize(const std::string& bytes, M& message)
 }  // namespace detail
 }  // namespace rclcpp
 
-// What is said of each message class, within it and beside it.
+// What is said of each message class, within it and next to it.
 #define ROSSPIN_MESSAGE_TYPES(Message)                                                                                 \
   using RawPtr = Message*;                                                                                             \
   using ConstRawPtr = const Message*;                                                                                  \

@@ -197,7 +197,7 @@ public:
   JumpHandler::SharedPtr create_jump_callback(JumpHandler::pre_callback_t before, JumpHandler::post_callback_t after,
       const rcl_jump_threshold_t& threshold);
 
-  // What follows is not rclcpp's. Its time in ns; when, in the run's time, a time of it comes: never, if nobody knows.
+  // What follows is not rclcpp's. Its time in ns; when, in the run's time, a time of it comes: never, if that is unknown.
   std::int64_t ns() const;
   std::int64_t in_run(std::int64_t ns) const;
   // Let it follow /clock, or set the time that it follows.

@@ -252,7 +252,7 @@ using IsMessage = serialization::IsMessage<M>;
 }  // namespace message_traits
 }  // namespace ros
 
-// What is said of each message class beside it.
+// What is said of each message class next to it.
 #define ROSSPIN_MESSAGE(Message)                                                                                       \
   typedef ::boost::shared_ptr<Message> Message##Ptr;                                                                   \
   typedef ::boost::shared_ptr<Message const> Message##ConstPtr;                                                        \

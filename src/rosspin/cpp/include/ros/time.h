@@ -238,7 +238,7 @@ std::ostream& operator<<(std::ostream& stream, const TimeBase<T, D>& time)
 
 namespace detail
 {
-// What a Rate, a WallRate have in common: passes of a loop that are to begin at regular times.
+// What a Rate, a WallRate have in common: passes of a loop that should begin at regular times.
 class Passes : rosspin::Loop
 {
 public:

@@ -20,13 +20,13 @@ constexpr std::int64_t never = INT64_MAX;
 std::int64_t now();
 std::int64_t system_now();
 
-// Let time go on to `until` (ns), or until something comes for the program before that.
+// Let time pass up to `until` (ns), or until something comes for the program before that.
 void wait(std::int64_t until);
-// Let it go on to `until`, whatever comes.
+// Let it pass up to `until`, whatever comes.
 void sleep_until(std::int64_t until);
 // Let this thread wait until a time (ns), or until someone notifies of `what`; return whether that was.
 bool wait_for(const void* what, std::int64_t until);
-// Let a thread that waits for it go on, the one that has waited longest, or `all` of them.
+// Wake a thread that waits for it, the one that has waited longest, or `all` of them.
 void notify(const void* what, bool all);
 // Something has changed: whoever waits for what comes looks again.
 void stir();
@@ -70,7 +70,7 @@ private:
   Ticking* next_;
 };
 
-// What each Rate has: the passes of its loop are to begin at regular times.
+// What each Rate has: the passes of its loop should begin at regular times.
 class Loop : public Ticking
 {
 public:
@@ -115,7 +115,7 @@ struct Value
   bool operator==(const Value& other) const;
 };
 
-// Ask the host for something that only it knows; it answers before time goes on.
+// Ask the host for something that only it knows; it answers before time moves.
 Value ask(const std::string& what, std::vector<Value> values = {});
 // Tell it something that needs no answer.
 void tell(const std::string& what, std::vector<Value> values = {});
