@@ -40,6 +40,10 @@ def unmoved(seen: Seen) -> Finding | None:
         return Finding(False, text, "`command.linear.x = 2.0`: a new `Twist` is all zeros.")
     text = "no command came on `/cmd_vel`: the vehicle never moved."
     ends = seen.ends_of("/cmd_vel", True)
+    slow = [timer.period for timer in seen.timers if not timer.calls and timer.period > seen.seconds]
+    if ends and slow:
+        hint = f"The timer's period is {say(slow[0])}: its first call is not due before the run ends, at"
+        return Finding(False, text, f"{hint} {say(seen.seconds)}.")
     if ends:
         return Finding(False, text, "There is a publisher. Does a timer publish with it, again and again?")
     others = [end.topic for end in seen.ends if end.publishes and end.topic not in ("/rosout", "/parameter_events")]

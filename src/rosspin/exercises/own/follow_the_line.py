@@ -161,6 +161,7 @@ rclpy.spin(node)
 """,
 ]
 WRONG = [
+    ({"        self.steer()\n": "        self.create_timer(10, self.steer)\n"}, "The timer's period is 10 s"),
     (
         {"        self.steer()\n": "        self.create_timer(0.1, self.steer)\n", "8.0 *": "0.5 *"},
         "Is the turn 8.0 times",
