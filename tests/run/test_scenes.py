@@ -15,7 +15,7 @@ from rosspin.run.source import load
 from rosspin.run.steps_seen import StepsSeen, ThreadsSeen
 from rosspin.run.streams import capture
 from rosspin.world.graph import TickLog
-from tests.helpers.tree import EXAMPLES
+from tests.helpers.tree import EXAMPLES, TESTS
 
 TASKS = """\
 import rclpy
@@ -105,6 +105,12 @@ def test_on_one_thread_the_quick_callback_waits_for_the_slow_one() -> None:
     _, threads, how = run.at(1.3, "slow_callback ends")
     assert threads == {"MainThread": ("", "rclpy.spin(two_timers_py_node)")}
     assert how["slow_callback"] == "waits for the next round"
+
+
+def test_a_node_lives_no_longer_because_it_is_seen() -> None:
+    scenario = TESTS / "scenarios_ros2" / "life_after_spin.py"
+    recorded = scenario.parent / "recorded" / "life_after_spin.txt"
+    assert f"status 0\n{Told(scenario, 5).console}" == recorded.read_text(encoding="utf-8")
 
 
 def test_of_several_nodes_each_is_named() -> None:

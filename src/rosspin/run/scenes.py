@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from pathlib import Path
+from types import CodeType
 from typing import Any, NamedTuple
+from weakref import WeakKeyDictionary
 
 from ..clocks.clock import NS
 from ..clocks.stacks import Switched, current
@@ -37,8 +39,9 @@ class _Asked:
     callback_group = None
     _executor_event = False
 
-    def __init__(self, callback: Any) -> None:
-        self.callback = callback
+    def __init__(self, callback: Any, code: CodeType) -> None:
+        self.__name__ = getattr(callback, "__name__", type(callback).__name__)
+        self.__code__ = code
         self.tasks: list[Task] = []
 
     @property
@@ -47,18 +50,23 @@ class _Asked:
 
 
 class Scenes(StepsSeen):
-    """The steps of a run of ROS 2, in which a step is noted whenever an executor does something or the time passes."""
+    """The steps of a run of ROS 2, in which a step is noted whenever an executor does something or the time passes.
+
+    Executors and nodes live no longer because they are seen.
+    """
 
     def __init__(self, *args: Any, **more: Any) -> None:
         super().__init__(*args, **more)
-        self._ready: dict[Executor, list[Any]] = {}  # what each has found, and not called yet
-        self._asked: dict[Any, _Asked] = {}  # by their code, and by their tasks
+        self._callbacks = WeakKeyDictionary()
+        self._ready: WeakKeyDictionary[Executor, list[Any]] = WeakKeyDictionary()  # what each has found, and not called
+        self._asked: dict[CodeType, _Asked] = {}
+        self._asked_by: WeakKeyDictionary[Task, _Asked] = WeakKeyDictionary()
         self._calls: list[_Call] = []  # those that have not ended
 
     def asks(self, task: Task, callback: Any) -> None:
         here, code = self._here(), code_of(callback)
         if here is not None and code and not code.co_filename.startswith(_OURS):
-            asked = self._asked[task] = self._asked.setdefault(code, _Asked(callback))
+            asked = self._asked_by[task] = self._asked.setdefault(code, _Asked(callback, code))
             asked.tasks.append(task)
             self._note(f"{here} hands {self._say([asked])} to the executor, which calls it in its next round.")
 
@@ -80,9 +88,9 @@ class Scenes(StepsSeen):
             return
         how = ""
         if isinstance(entity, Task):
-            if entity not in self._asked:
+            if entity not in self._asked_by:
                 return
-            task, entity = entity, self._asked[entity]
+            task, entity = entity, self._asked_by[entity]
             entity.tasks.remove(task)
         else:
             self._ready[executor] = [each for each in self._ready.get(executor, ()) if each is not entity]
@@ -97,7 +105,7 @@ class Scenes(StepsSeen):
     def ends(self, entity: Any) -> None:
         if self._here() is None:
             return
-        entity = self._asked.get(entity) if isinstance(entity, Task) else entity
+        entity = self._asked_by.get(entity) if isinstance(entity, Task) else entity
         if calls := [call for call in self._calls if call.entity is entity]:
             # A coroutine may end in another thread than the one in which it began.
             self._calls.remove(min(calls, key=lambda call: call.thread is not current()))
@@ -121,7 +129,9 @@ class Scenes(StepsSeen):
         ready = [each for found in self._ready.values() for each in found if each not in handed]
         ready += [each for each in self._callbacks if isinstance(each, _Asked) and each.is_ready]
         order = [self._callbacks[each] for each in (*handed, *ready)]
-        how = [self._how(each, executors.get(each), until) for each in self._callbacks]
+        how = [""] * len(self._names)
+        for each, number in self._callbacks.items():
+            how[number] = self._how(each, executors.get(each), until)
         self._steps.append([self.clock.seconds(), said, order, list(self._where(line)), how])
 
     def _inside(self, thread: Switched) -> Any:

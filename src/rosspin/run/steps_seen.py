@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import sys
 import threading
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, MutableMapping
 from types import CodeType
 from typing import Any
 
@@ -39,7 +39,7 @@ class StepsSeen(Watcher):
         self._filename = filename
         self._pace = pace
         self._several = several
-        self._callbacks: dict[Any, int] = {}  # timers and the like: their numbers
+        self._callbacks: MutableMapping[Any, int] = {}  # timers and the like: their numbers
         self._names: list[tuple[str, int]] = []  # of the callbacks, with the numbers of their groups
         self._groups: dict[Any, tuple[int, str]] = {}
         self._threads: dict[Stack, tuple[int, str]] = {}
@@ -82,7 +82,7 @@ class StepsSeen(Watcher):
 
     @property
     def _is_full(self) -> bool:
-        return len(self._steps) >= _MOST or len(self._callbacks) > _MOST_CALLBACKS
+        return len(self._steps) >= _MOST or len(self._names) > _MOST_CALLBACKS
 
     def _running(self) -> list[Any] | None:
         """Return what runs now; None as long as there is nothing to tell."""
@@ -119,7 +119,8 @@ class StepsSeen(Watcher):
             is_here = stack is current()
             frames = trail(sys._getframe()) if is_here else stack.trail
             line = next((line for code, _, line in frames if code.co_filename == self._filename), 0)
-            yield number, self._callbacks.get(self._inside(stack), -1), is_here and here or line
+            inside = self._inside(stack)
+            yield number, -1 if inside is None else self._callbacks.get(inside, -1), is_here and here or line
 
     def _say(self, entities: Iterable[Any]) -> str:
         """Name callbacks; a new one gets a number, and so does its group."""
