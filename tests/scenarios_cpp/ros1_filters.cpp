@@ -6,11 +6,13 @@
 #include <geometry_msgs/TwistStamped.h>
 #include <map>
 #include <message_filters/cache.h>
+#include <message_filters/chain.h>
 #include <message_filters/pass_through.h>
 #include <message_filters/subscriber.h>
 #include <message_filters/sync_policies/approximate_time.h>
 #include <message_filters/sync_policies/exact_time.h>
 #include <message_filters/synchronizer.h>
+#include <message_filters/time_sequencer.h>
 #include <message_filters/time_synchronizer.h>
 #include <ros/ros.h>
 #include <string>
@@ -202,6 +204,49 @@ Scenarios scenarios()
     say(cache.getElemBeforeTime(time(0)) ? "one" : "none");
     say(cache.getElemAfterTime(time(9)) ? "one" : "none");
     say(std::to_string(cache.getOldestTime().toSec()) + " " + std::to_string(cache.getLatestTime().toSec()));
+  };
+  all["chain"] = [](NodeHandle&)
+  {
+    message_filters::Chain<Point> chain;
+    chain.registerCallback([](const Point::ConstPtr& point) { say("passed " + at(*point)); });
+    chain.add(stamped<Point>(1));
+    auto cache = boost::make_shared<message_filters::Cache<Point>>(2);
+    message_filters::PassThrough<Point> plain;
+    say(std::to_string(chain.addFilter(cache)));
+    say(std::to_string(chain.addFilter(&plain)));
+    plain.registerCallback([](const Point::ConstPtr& point) { say("second " + at(*point)); });
+    chain.add(stamped<Point>(2));
+    plain.add(stamped<Point>(3));
+    message_filters::PassThrough<Point> input;
+    chain.connectInput(input);
+    input.add(stamped<Point>(4));
+    say(at(*chain.getFilter<message_filters::Cache<Point>>(0)->getElemBeforeTime(ros::Time(200))));
+    say(chain.getFilter<message_filters::PassThrough<Point>>(2) ? "one" : "none");
+  };
+  all["sequencer"] = [](NodeHandle& nh)
+  {
+    message_filters::PassThrough<Point> input;
+    message_filters::TimeSequencer<Point> sequencer(input, ros::Duration(0.5), ros::Duration(0.2), 4, nh);
+    ros::Time begun = ros::Time::now();
+    sequencer.registerCallback([=](const Point::ConstPtr& point)
+        { std::printf("passed %.2f of %g\n", (point->header.stamp - begun).toSec(), point->point.x); });
+    int number = 0;
+    auto give = [&](double stamp)
+    {
+      Point::Ptr point(new Point);
+      point->header.stamp = begun + ros::Duration(stamp);
+      point->point.x = number++;
+      input.add(point);
+    };
+    for (double stamp : {0.35, 0.05, 0.25, 0.25})
+      give(stamp);
+    ros::Timer late = nh.createTimer(ros::Duration(1.1), [&](const ros::TimerEvent&)
+        {
+          say("too late, or too many");
+          for (double stamp : {0.1, 0.95, 0.95, 1.05, 1.15, 1.25})
+            give(stamp);
+        }, true);
+    ros::spin();
   };
   all["approximate"] = [](NodeHandle&)
   {

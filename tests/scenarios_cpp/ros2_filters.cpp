@@ -10,6 +10,8 @@
 #include <message_filters/subscriber.h>
 #include <message_filters/sync_policies/approximate_time.hpp>
 #include <message_filters/synchronizer.hpp>
+#include <message_filters/sync_policies/latest_time.h>
+#include <message_filters/time_sequencer.h>
 #include <message_filters/time_synchronizer.h>
 #include <rclcpp/rclcpp.hpp>
 #include <string>
@@ -145,6 +147,51 @@ Scenarios scenarios()
       say("between 2 and 4 " + at(*each));
     say(at(*cache.getElemBeforeTime(time(3.0))) + " " + at(*cache.getElemAfterTime(time(3.0))));
     std::printf("%.2f %.2f\n", cache.getOldestTime().seconds(), cache.getLatestTime().seconds());
+  };
+  all["chain"] = [](Node)
+  {
+    message_filters::Chain<Point> chain;
+    chain.registerCallback([](const Point::ConstSharedPtr& point) { say("passed " + at(*point)); });
+    chain.add(stamped<Point>(1));
+    auto cache = std::make_shared<message_filters::Cache<Point>>(2);
+    message_filters::PassThrough<Point> plain;
+    say(std::to_string(chain.addFilter(cache)));
+    say(std::to_string(chain.addFilter(&plain)));
+    plain.registerCallback([](const Point::ConstSharedPtr& point) { say("second " + at(*point)); });
+    chain.add(stamped<Point>(2));
+    plain.add(stamped<Point>(3));
+    message_filters::PassThrough<Point> input;
+    chain.connectInput(input);
+    input.add(stamped<Point>(4));
+    say(at(*chain.getFilter<message_filters::Cache<Point>>(0)->getElemBeforeTime(rclcpp::Time(200, 0, RCL_ROS_TIME))));
+    say(chain.getFilter<message_filters::PassThrough<Point>>(2) ? "one" : "none");
+  };
+  all["latest"] = [](Node)
+  {
+    typedef message_filters::sync_policies::LatestTime<Point, Twist> OfLatest;
+    message_filters::Synchronizer<OfLatest> sync(OfLatest{});
+    sync.registerCallback(both);
+    // The first comes each 0.05 s, with a pause, the second each 0.2 s, then as often.
+    for (int each = 0; each < 60; each++)
+    {
+      if (each < 25 || each > 40)
+        sync.add<0>(stamped<Point>(each));
+      if (each % (each < 30 ? 4 : 1) == 0)
+        sync.add<1>(stamped<Twist>(each));
+      rclcpp::sleep_for(std::chrono::milliseconds(50));
+    }
+  };
+  all["sequencer"] = [](Node node)
+  {
+    message_filters::TimeSequencer<Point> sequencer(Duration::from_seconds(0.5), Duration::from_seconds(0.2), 4, node);
+    try
+    {
+      sequencer.add(stamped<Point>(0));
+    }
+    catch (const std::runtime_error& error)
+    {
+      say(error.what());  // it compares a time of the system's with one of ROS
+    }
   };
   all["approximate_by_chance"] = [](Node) { by_chance([](Sync&, unsigned) {}); };
   all["approximate_within_a_time"] = [](Node)

@@ -24,7 +24,8 @@ _PART = re.compile(r"(\w+/(?:msg|srv)/)detail/(\w+?)__(?:struct|traits|builder|t
 
 # The headers of message_filters, which are one.
 _FILTERS = (
-    *("cache", "connection", "pass_through", "simple_filter", "subscriber", "synchronizer", "time_synchronizer"),
+    *("cache", "chain", "connection", "pass_through", "simple_filter", "subscriber", "synchronizer"),
+    *("time_sequencer", "time_synchronizer"),
     *("sync_policies/approximate_time", "sync_policies/exact_time"),
 )
 
@@ -82,8 +83,12 @@ def stand_ins(ros: int) -> Mapping[str, str]:
     files = {path.relative_to(_FOLDER).as_posix(): path.read_text(encoding="utf-8") for path in paths}
     name, make = _MADE[ros]
     made = {} if ros == 1 else _made(_OF_RCLCPP, Library(2), {})
-    filters = [f"message_filters/{each}.{kind}" for each in _FILTERS for kind in (("h",) if ros == 1 else ("h", "hpp"))]
-    return {**files, name: make(), **made, **dict.fromkeys(filters, '#include "rosspin/filters.hpp"\n')}
+    filters = dict.fromkeys(_FILTERS, "rosspin/filters.hpp")
+    if ros == 2:
+        filters["sync_policies/latest_time"] = "rclcpp/latest_time.hpp"
+    kinds = ("h",) if ros == 1 else ("h", "hpp")
+    told = {f"message_filters/{each}.{kind}": f'#include "{at}"\n' for each, at in filters.items() for kind in kinds}
+    return {**files, name: make(), **made, **told}
 
 
 def included(source: str) -> list[str]:

@@ -51,6 +51,15 @@ Time stamp_of(const M& message)
 inline std::int64_t ns(const Time& time) { return time.nanoseconds(); }
 inline std::int64_t ns(const Duration& duration) { return duration.nanoseconds(); }
 
+inline Time now() { return rclcpp::Clock().now(); }
+typedef rclcpp::TimerBase::SharedPtr Timer;
+template<class Call>
+Timer every(Duration period, Call call, const rclcpp::Node::SharedPtr& node)
+{
+  return node->create_wall_timer(std::chrono::nanoseconds(ns(period)), call);
+}
+inline void stop(const Timer& timer) { timer->cancel(); }
+
 inline void warn(int number, std::int64_t gap, std::int64_t bound)
 {
   rclcpp::Logger logger = rclcpp::get_logger("");

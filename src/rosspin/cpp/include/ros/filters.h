@@ -21,6 +21,15 @@ Time stamp_of(const M& message)
 inline std::int64_t ns(const Time& time) { return static_cast<std::int64_t>(time.toNSec()); }
 inline std::int64_t ns(const Duration& duration) { return duration.toNSec(); }
 
+inline Time now() { return Time::now(); }
+typedef ros::SteadyTimer Timer;
+template<class Call>
+Timer every(Duration period, Call call, ros::NodeHandle node = ros::NodeHandle())
+{
+  return node.createSteadyTimer(ros::WallDuration(period.toSec()), [call](const ros::SteadyTimerEvent&) { call(); });
+}
+inline void stop(Timer& timer) { timer.stop(); }
+
 inline void warn(int number, std::int64_t gap, std::int64_t bound)
 {
   if (gap < 0)

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -127,8 +128,17 @@ struct Stamped
 };
 typedef std::function<void(const std::vector<Stamped>&)> Use;
 
+struct ByStamp
+{
+  template<class M>
+  static std::int64_t stamp_of(const M& message)
+  {
+    return ns(detail::stamp_of(message));
+  }
+};
+
 // Messages with the same stamp belong together.
-class Exact
+class Exact : public ByStamp
 {
 public:
   Exact(std::size_t count, std::size_t size) : count_(count), size_(size) {}
@@ -159,7 +169,7 @@ private:
 
 // Messages belong together whose stamps are as near to each other as they can be. A set is searched for around the latest
 // of the first messages, the pivot, and is passed on once nothing that may still come could be better.
-class Approximate
+class Approximate : public ByStamp
 {
 public:
   Approximate(std::size_t count, std::size_t size) : topics_(count), size_(size) {}
@@ -352,7 +362,7 @@ public:
   void add(const std::tuple_element_t<number, Events>& event)
   {
     std::lock_guard<std::mutex> lock(*mutex_);
-    Stamped one{ns(stamp_of(*event.getConstMessage())),
+    Stamped one{matcher_.stamp_of(*event.getConstMessage()),
         std::make_shared<std::tuple_element_t<number, Events>>(event)};
     auto indices = std::index_sequence_for<M...>();
     matcher_.add(number, one, [&](const std::vector<Stamped>& found) { call(passes_, found, indices); },
@@ -517,6 +527,153 @@ private:
   std::deque<MConstPtr> kept_;
   std::size_t size_ = 1;
   Connection input_;
+};
+
+// Passes messages on in the order of their stamps, once they are older than `delay`: it looks each `period`. One that is
+// older than what was passed on is dropped.
+template<class M>
+class TimeSequencer : public SimpleFilter<M>
+{
+public:
+  using typename SimpleFilter<M>::MConstPtr;
+  using typename SimpleFilter<M>::EventType;
+
+  template<class... Node>
+  TimeSequencer(detail::Duration delay, detail::Duration period, std::uint32_t size, const Node&... node)
+    : delay_(delay), size_(size), timer_(detail::every(period, [this] { update(); }, node...))
+  {
+  }
+  template<class F, class... Node>
+  TimeSequencer(F& filter, detail::Duration delay, detail::Duration period, std::uint32_t size, const Node&... node)
+    : TimeSequencer(delay, period, size, node...)
+  {
+    connectInput(filter);
+  }
+  ~TimeSequencer()
+  {
+    detail::stop(timer_);
+    input_.disconnect();
+  }
+  template<class F>
+  void connectInput(F& filter)
+  {
+    input_.disconnect();
+    input_ = filter.registerCallback(
+        typename SimpleFilter<M>::EventCallback([this](const EventType& event) { add(event); }));
+  }
+  void add(const MConstPtr& message) { add(EventType(message)); }
+  void add(const EventType& event)
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (stamp_of(event) < last_)
+      return;
+    kept_.insert(event);
+    if (size_ && kept_.size() > size_)
+      kept_.erase(*kept_.begin());  // and all with its stamp
+  }
+
+private:
+  static detail::Time stamp_of(const EventType& event) { return detail::stamp_of(*event.getConstMessage()); }
+  struct Before
+  {
+    bool operator()(const EventType& one, const EventType& other) const { return stamp_of(one) < stamp_of(other); }
+  };
+  void update()
+  {
+    std::vector<EventType> old;
+    {
+      std::lock_guard<std::mutex> lock(mutex_);
+      while (!kept_.empty() && stamp_of(*kept_.begin()) + delay_ <= detail::now())
+      {
+        old.push_back(*kept_.begin());
+        last_ = stamp_of(old.back());
+        kept_.erase(kept_.begin());
+      }
+    }
+    for (const EventType& event : old)
+      this->signalMessage(event);
+  }
+  detail::Duration delay_;
+  std::uint32_t size_;
+  detail::Time last_;
+  std::multiset<EventType, Before> kept_;
+  std::mutex mutex_;
+  detail::Timer timer_;
+  Connection input_;
+};
+
+class ChainBase
+{
+public:
+  virtual ~ChainBase() = default;
+  template<class F>
+  std::shared_ptr<F> getFilter(std::size_t index) const
+  {
+    return std::static_pointer_cast<F>(getFilterForIndex(index));
+  }
+
+protected:
+  virtual std::shared_ptr<void> getFilterForIndex(std::size_t index) const = 0;
+};
+typedef std::shared_ptr<ChainBase> ChainBasePtr;
+
+// Filters of which each is given what the one before it passes on.
+template<class M>
+class Chain : public ChainBase, public SimpleFilter<M>
+{
+public:
+  using typename SimpleFilter<M>::MConstPtr;
+  using typename SimpleFilter<M>::EventType;
+  Chain() = default;
+  template<class F>
+  explicit Chain(F& filter)
+  {
+    connectInput(filter);
+  }
+  ~Chain() override { input_.disconnect(); }
+  template<class F>
+  std::size_t addFilter(F* filter)
+  {
+    return addFilter(std::shared_ptr<F>(filter, [](F*) {}));
+  }
+  template<class F>
+  std::size_t addFilter(const std::shared_ptr<F>& filter)
+  {
+    auto passes = std::make_shared<PassThrough<M>>(*filter);
+    last_.disconnect();
+    last_ = passes->registerCallback(Call([this](const EventType& event) { this->signalMessage(event); }));
+    if (!links_.empty())
+      filter->connectInput(*links_.back().passes);
+    links_.push_back({[filter](const EventType& event) { filter->add(event); }, filter, passes});
+    return links_.size() - 1;
+  }
+  template<class F>
+  void connectInput(F& filter)
+  {
+    input_.disconnect();
+    input_ = filter.registerCallback(Call([this](const EventType& event) { add(event); }));
+  }
+  void add(const MConstPtr& message) { add(EventType(message)); }
+  void add(const EventType& event)
+  {
+    if (!links_.empty())
+      links_[0].add(event);
+  }
+
+private:
+  typedef typename SimpleFilter<M>::EventCallback Call;
+  struct Link
+  {
+    Call add;
+    std::shared_ptr<void> filter;
+    std::shared_ptr<PassThrough<M>> passes;
+  };
+  std::shared_ptr<void> getFilterForIndex(std::size_t index) const override
+  {
+    return index < links_.size() ? links_[index].filter : nullptr;
+  }
+  std::vector<Link> links_;
+  Connection input_, last_;
 };
 
 // Messages of subscriptions: what its ROS makes of a filter.
