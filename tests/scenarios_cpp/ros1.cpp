@@ -7,6 +7,7 @@
 #include <geometry_msgs/Twist.h>
 #include <map>
 #include <ros/callback_queue.h>
+#include <ros/file_log.h>
 #include <ros/ros.h>
 #include <std_msgs/Header.h>
 #include <std_msgs/String.h>
@@ -512,6 +513,7 @@ std::map<std::string, Scenario> scenarios()
   all["log"] = [](NodeHandle&)
   {
     ROS_DEBUG("hidden");
+    ROSCPP_LOG_DEBUG("hidden, too");
     for (int pass = 0; pass < 3; pass++)
     {
       ROS_INFO("info %d %s", pass, "text");

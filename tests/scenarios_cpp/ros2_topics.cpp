@@ -224,6 +224,25 @@ std::map<std::string, Scenario> scenarios()
     say(std::to_string(subscription->get_publisher_count()));
     say(std::to_string(node->get_topic_names_and_types().count("/s/topic")));
   };
+  all["graph_change"] = [](const Shared& node)
+  {
+    auto event = node->get_graph_event();
+    auto wait = [&]
+    {
+      node->wait_for_graph_change(event, 500ms);
+      say(shown(event->check_and_clear()) + shown(event->check()));
+    };
+    wait();  // the node itself
+    wait();
+    auto publisher = node->create_publisher<UInt32>("topic", 1);
+    wait();
+    publisher.reset();
+    auto other = node->get_graph_event();
+    wait();
+    say(shown(other->check()));
+    attempt([&] { node->wait_for_graph_change(nullptr, 1s); });
+    attempt([&] { node->wait_for_graph_change(std::make_shared<rclcpp::Event>(), 1s); });
+  };
   all["names"] = [](const Shared&)
   {
     Node node("other", "/space");

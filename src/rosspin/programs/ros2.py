@@ -73,6 +73,7 @@ class Ros2:
             "service_is_ready": lambda number: self._clients[number].service_is_ready(),
             "send_request": self._send_request,
             "node_names": lambda node: {"names": self._nodes[node].get_fully_qualified_node_names()},
+            "graph": lambda node: _graph(self._nodes[node]),
             "topics": lambda node: {"types": dict(self._nodes[node].get_topic_names_and_types())},
             "services": lambda node: {"types": dict(self._nodes[node].get_service_names_and_types())},
             "services_of": lambda node, *name: {
@@ -310,6 +311,17 @@ def _ros_arguments(words: list[str]) -> list[str] | None:
 def _listed(text: str) -> list[str]:
     """Read a list as Python prints it: of options that are not known."""
     return [word.strip("'\" ") for word in text.strip("[]").split(",")]
+
+
+def _graph(node: Node) -> dict[str, Any]:
+    """Return all that a node knows of the graph."""
+    topics = [name for name, _ in node.get_topic_names_and_types()]
+    services = [name for name, _ in node.get_service_names_and_types()]
+    return {
+        "nodes": node.get_fully_qualified_node_names(),
+        "topics": {each: [node.count_publishers(each), node.count_subscribers(each)] for each in topics},
+        "services": {each: [node.count_services(each), node.count_clients(each)] for each in services},
+    }
 
 
 def _class(kind: str) -> Any:

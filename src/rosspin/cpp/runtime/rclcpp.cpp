@@ -1173,6 +1173,37 @@ std::map<std::string, std::vector<std::string>> Node::get_service_names_and_type
   return types(base_->ask("services_of", {name, ns}, "failed to get service names and types by node"));
 }
 
+bool Event::check()
+{
+  if (graph_)
+  {
+    rosspin::Value before = std::exchange(seen_, graph_());
+    state_ = state_ || !(before == seen_);
+  }
+  return state_;
+}
+
+// A node's first event tells of what was before it, too: the guard condition was triggered then (source: graph_listener.cpp).
+Event::SharedPtr Node::get_graph_event()
+{
+  auto graph = [base = base_] { return base->ask("graph", {}, "could not get the graph"); };
+  auto event = std::make_shared<Event>(graph, graph_events_.empty() ? rosspin::Value() : graph());
+  graph_events_.push_back(event);
+  return event;
+}
+
+// It looks every 10 ms.
+void Node::wait_for_graph_change(Event::SharedPtr event, std::chrono::nanoseconds timeout)
+{
+  if (!event)
+    throw exceptions::InvalidEventError();
+  if (std::none_of(graph_events_.begin(), graph_events_.end(), [&](const auto& each) { return each.lock() == event; }))
+    throw exceptions::EventNotRegisteredError();
+  std::int64_t end = later(rosspin::now(), timeout.count());
+  while (rosspin::now() < end && base_->get_context()->is_valid() && !event->check())
+    rosspin::wait(std::min(end, rosspin::now() + 10'000'000));
+}
+
 #define ROSSPIN_COUNT(what)                                                                                            \
   std::size_t Node::count_##what(const std::string& name) const                                                        \
   {                                                                                                                    \

@@ -79,6 +79,18 @@ public:
   InvalidNodeError() : std::runtime_error("node is invalid") {}
 };
 
+class InvalidEventError : public std::runtime_error
+{
+public:
+  InvalidEventError() : std::runtime_error("event is invalid") {}
+};
+
+class EventNotRegisteredError : public std::runtime_error
+{
+public:
+  EventNotRegisteredError() : std::runtime_error("event already registered") {}
+};
+
 class UnknownTypeError : public std::runtime_error
 {
 public:

@@ -243,6 +243,27 @@ public:
   const std::string& topic_type() const { return topic_type_; }
 };
 
+// Whether the graph has changed since it was made, or cleared.
+class Event
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Event)
+  Event() = default;
+  Event(const std::function<rosspin::Value()>& graph, const rosspin::Value& seen) : graph_(graph), seen_(seen) {}
+  bool set() { return std::exchange(state_, true); }
+  bool check();
+  bool check_and_clear()
+  {
+    check();
+    return std::exchange(state_, false);
+  }
+
+private:
+  std::function<rosspin::Value()> graph_;
+  rosspin::Value seen_;
+  bool state_ = false;
+};
+
 class Node : public std::enable_shared_from_this<Node>
 {
 public:
@@ -542,6 +563,9 @@ public:
   std::vector<TopicEndpointInfo> get_subscriptions_info_by_topic(
       const std::string& topic, bool no_mangle = false) const;
 
+  Event::SharedPtr get_graph_event();
+  void wait_for_graph_change(Event::SharedPtr event, std::chrono::nanoseconds timeout);
+
   node_interfaces::NodeBaseInterface::SharedPtr get_node_base_interface() { return base_; }
   node_interfaces::NodeParametersInterface::SharedPtr get_node_parameters_interface() { return parameters_; }
   node_interfaces::NodeTimersInterface::SharedPtr get_node_timers_interface()
@@ -561,6 +585,7 @@ private:
   Node(const Node& other, const std::string& sub_namespace, int);
   NodeOptions options_;
   std::string sub_namespace_;
+  std::vector<Event::WeakPtr> graph_events_;
   node_interfaces::NodeBaseInterface::SharedPtr base_;
   Clock::SharedPtr clock_;
   node_interfaces::NodeParametersInterface::SharedPtr parameters_;
