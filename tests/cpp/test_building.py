@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from rosspin.__main__ import main
 from rosspin.cpp import CompileError, build, build_together, building
 from rosspin.cpp.building import _alone
 from rosspin.site import compiling
@@ -79,6 +80,18 @@ def test_nodes_are_compiled_together_and_found_one_by_one(asked: list[Any], tmp_
     assert {build(NODE).program, build("<cell 7>", text=text).program} == {*tmp_path.glob("*.wasm")}
     build_together(nodes)
     assert len(asked) == 1
+
+
+def test_without_the_compiler_one_line_says_what_to_do(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As where rosspin was installed from a wheel, which has no compiler."""
+    building.stand_in.cache_clear()
+    monkeypatch.setattr(building, "_CLANG", ROOT / "nowhere")
+    assert main(["run", str(NODE), "--simulated", "--seconds", "1"]) == 1
+    said = capsys.readouterr().err
+    assert said.startswith("rosspin: C++ nodes need clang for WebAssembly, which is only in the source of rosspin: ")
+    assert said.endswith("run `make html` there\n") and said.count("\n") == 1
 
 
 def test_a_compiler_is_asked_again_and_another_if_it_has_ended() -> None:

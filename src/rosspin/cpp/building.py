@@ -332,7 +332,9 @@ def _made(ros: int, waiting: Waiting) -> _StandIn:
 def stand_in(ros: int) -> _StandIn:
     """Return the stand-in for a ROS. Raises ValueError if there is no compiler."""
     if not _CLANG.is_dir():
-        raise ValueError("C++ nodes need a compiler for WebAssembly: run `make html` in the source of rosspin")
+        raise ValueError(
+            "C++ nodes need clang for WebAssembly, which is only in the source of rosspin: run `make html` there"
+        )
     version = json.loads((_CLANG / "package.json").read_text(encoding="utf-8"))["version"]
     own = headers.stand_ins(ros)
     names = {name: f"include/{name}" for name in own}
