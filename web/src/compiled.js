@@ -1,5 +1,6 @@
 // Loaded when a node in C++ should be compiled. The compiler runs in a sandbox of its own, and serves the next node, too.
 
+import { isCpp } from "./answers.js"
 import { advice, faults } from "./faults.js"
 import { Fault, loadCompiler } from "./files.js"
 import { COMPILER, Sandbox } from "./sandboxes.js"
@@ -86,6 +87,8 @@ const NOT_LOADED = "The compiler could not be loaded. Is the site still there?"
  * @param {(message: Told) => void} hear
  */
 async function compileFor({ source, filename, ros }, hear) {
+  // The compiler is given them all, so it would miss none.
+  if (!isCpp(source)) throw new Fault(`${filename} includes neither ros/ros.h nor rclcpp/rclcpp.hpp`)
   const result = compiling.then(async () => {
     const sandbox = await startCompiler(ros, hear) // which ends one for another ROS
     hear({ kind: "doing", said: "compiling", share: -1 })

@@ -45,3 +45,21 @@ test("the first error alone is explained, if it is one of those that are made mo
   const captured = "a.cpp:9:40: error: 'this' cannot be implicitly captured in this context\n"
   assert.match(advice(captured), /write \[this\]/)
 })
+
+test("more mistakes are explained, unless the compiler says what was meant", () => {
+  const cases = [
+    ["reference to non-static member function must be called; did you mean to call it with no arguments?", /on an object/],
+    [`no matching literal operator for call to 'operator""ms' with argument of type`, /chrono_literals/],
+    ["'std_msgs/msg/UInt32.hpp' file not found", /small letters/],
+    ["use of undeclared identifier 'std_msgs'", /a header of its own/],
+    ["no member named 'String' in namespace 'std_msgs::msg'", /a header of its own/],
+    ["no type named 'String' in namespace 'std_msgs'; did you mean 'std::string'?", /a header of its own/],
+    ["invalid operands to binary expression ('const char[40]' and 'const char *')", /_STREAM/],
+    ["unterminated function-like macro invocation", /A \) is missing/],
+    ["expected '}'", /A } is missing/],
+    ["no member named 'creatTimer' in 'ros::NodeHandle'", /its spelling/],
+    ["use of undeclared identifier 'counter_'", /its spelling/],
+  ]
+  for (const [said, meant] of cases) assert.match(advice(`a.cpp:3:4: error: ${said}\n    3 | text\n`), meant)
+  assert.equal(advice("a.cpp:3:4: error: use of undeclared identifier 'creat_timer'; did you mean 'create_timer'?\n"), "")
+})

@@ -26,6 +26,33 @@ ADVICE = (
         "ros::TimerEvent&, one of ROS 2 with nothing, and a subscription with the message, as a const reference to "
         "its type.",
     ),
+    (
+        "reference to non-static member function must be called",
+        "A member function is called on an object: write [this] { timerCallback(); } in place of its name alone.",
+    ),
+    (
+        "literal operator for call to 'operator\"\"(h|min|s|ms|us|ns)'",
+        "For 500ms, a line at the top is missing: using namespace std::chrono_literals;",
+    ),
+    (
+        r"'\w+/(msg|srv)/[A-Z]\w*\.hpp' file not found",
+        "In ROS 2, the header of a message has its name in small letters: UInt32 is in std_msgs/msg/u_int32.hpp.",
+    ),
+    (
+        r"undeclared identifier '\w+_(msgs|srvs)'|no (type|member) named '\w+' in namespace '\w+_(msgs|srvs)",
+        "Each type of message has a header of its own: std_msgs/UInt32.h in ROS 1, std_msgs/msg/u_int32.hpp in ROS 2. "
+        "Here it is not included, or the type is misspelt.",
+    ),
+    (
+        r"invalid operands to binary expression \('const char",
+        "Only macros with _STREAM in their names take <<. Is this one misspelt?",
+    ),
+    ("unterminated function-like macro", "A ) is missing: this macro has more ( than )."),
+    ("expected '}'", "A } is missing: find the { that has none."),
+    (
+        r"(undeclared identifier '\w+'|no member named '\w+' in [^\n;]*)(\n|$)",
+        "There is nothing of this name: compare its spelling, capitals too, with where it is declared.",
+    ),
 )
 """What the compiler says of an error, in a line of its own, and what it means. JavaScript has such patterns, too."""
 
