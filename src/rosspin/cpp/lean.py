@@ -18,10 +18,15 @@ _UNCALLED = re.compile(
     rf"|(num_get|num_put|numpunct|ctype|collate)<wchar_t{_ARGUMENTS}"
     rf"|(codecvt)<char(?:8|16|32)_t{_ARGUMENTS})"
     r"(?!(?:__)?(?:\1|\2|\3)\b)\w"
-    r"|\bstd::__2::(?:utf|ucs)\d+_to_\w+\(|\bbasic_string<wchar_t,|^__strftime"
+    r"|\bstd::__2::(?:utf|ucs)\d+_to_\w+\(|\bbasic_string<wchar_t,|^__strftime|\b__time_put::__do_put\("
+    r"|\bcodecvt<wchar_t, char, __mbstate_t>::do_(?:in|out|length|unshift)\(|^(?:mbsn?rtowcs|wcsnrtombs)$"
+    r"|\b__(?:double_or_nothing|get_up_to_n_digits|pad_and_output)\[\w+:\w+\]<wchar_t"
 )
 # How numbers are read from a stream, which is as long as a fourth of that.
-_OF_INPUT = re.compile(r"^std::__2::istreambuf_iterator<.*\bnum_get<|\b__num_get(?:_|\b)|^vs?f?scanf$")
+_OF_INPUT = re.compile(
+    r"^std::__2::istreambuf_iterator<.*\bnum_get<|\bnum_get<.*>::do_get\(|\b__num_get(?:_|\b)|^vs?f?scanf$"
+    r"|\b__(?:get_up_to_n_digits|scan_keyword)\b"
+)
 _READS = re.compile(r">>|\bcin\b|istream|lexical_cast|get_time|scanf")
 
 # How a node that does call the others asks for it.
