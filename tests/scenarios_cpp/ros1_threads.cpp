@@ -325,6 +325,16 @@ std::map<std::string, Scenario> scenarios()
     std::thread one(fail, 1), two(fail, 2);
     one.join();
     two.join();
+    // What the library throws.
+    for (int each = 1; each <= 2; each++)
+      try
+      {
+        each == 1 ? void(operator new(SIZE_MAX / 4)) : std::thread().join();
+      }
+      catch (const std::exception& error)
+      {
+        say(error.what());
+      }
   };
   all["detached"] = [](NodeHandle&)
   {

@@ -387,8 +387,20 @@ __attribute__((export_name("rosspin_uncaught"))) void rosspin_uncaught(void* thr
     throw std::bad_function_call();
   if (type == "bad_optional_access")
     throw std::bad_optional_access();
+  if (std::size_t at = all.find_first_of("0123456789"); type == "system_error" && at != std::string::npos)
+    throw std::system_error(std::atoi(&all[at]), std::generic_category());
   if (type == "system_error" || type == "filesystem_error")
     throw std::system_error(std::make_error_code(std::errc::not_supported), what);
   throw std::runtime_error(what);
 }
+}
+
+// The library's own end the program where there is no memory left.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return std::malloc(size ? size : 1); }
+void* operator new[](std::size_t size, const std::nothrow_t& nothrow) noexcept { return operator new(size, nothrow); }
+void* operator new(std::size_t size)
+{
+  if (void* made = operator new(size, std::nothrow))
+    return made;
+  throw std::bad_alloc();
 }
