@@ -279,6 +279,49 @@ def test_memory_of_a_run_is_bounded(tutorial: Page) -> None:
     assert run(tutorial, TIMER, "print('next')", "done") == "next\n"
 
 
+GROWS = """\
+#include <ros/ros.h>
+#include <thread>
+#include <vector>
+int deeper(volatile int depth) { return depth ? deeper(depth + 1) + depth : 0; }
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "node");
+  std::string what;
+  ros::param::get("~what", what);
+  if (what == "memory")
+    for (std::vector<std::string> kept;;)
+      kept.emplace_back(100'000'000, 'x');
+  if (what == "recursion")
+    return deeper(1);
+  std::vector<std::thread> threads;
+  while (threads.size() < (what == "threads" ? 100'000 : 300))
+    threads.emplace_back([] { ros::WallDuration(0.5).sleep(); });
+  for (std::thread& each : threads)
+    each.join();
+  std::printf("%zu threads\\n", threads.size());
+}
+"""
+
+GROWN = {
+    "memory": "terminate called after throwing an instance of 'std::bad_alloc'",
+    "recursion": "its stack has overflowed: a function may call itself without an end, in deeper(int)",
+    "threads": "what():  Resource temporarily unavailable",
+    "few": "300 threads",
+}
+
+
+def test_what_grows_without_end_in_cpp_ends_its_run(page: Page, address: str) -> None:
+    """Where memory, the stack or room for threads ends; the page runs the next one."""
+    page.goto(f"{address}docs/tutorial.html?lang=cpp")
+    cell = Cell(page, 0, "div.live.highlight-cpp")
+    cell.write(GROWS)
+    for what, said in GROWN.items():
+        cell.element.get_by_role("textbox", name="Arguments").fill(f"_what:={what}")
+        cell.run(1)
+        assert said in cell.ends("done" if what == "few" else "error", 120_000)
+
+
 # --- code that was received -------------------------------------------------------------------------------------------
 
 ODD = "print('a\u202eb\u2066')  # \u200b\U000e0041\nx = 1" + 200 * " " + "; print('far')\n"
