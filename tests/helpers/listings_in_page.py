@@ -70,7 +70,7 @@ class Cell:
 def open_exercise(page: Page, address: str, name: str, anchor: str = "") -> Cell:
     """Open the page of an exercise. The cell of its answer."""
     page.goto(f"{address}exercises/{name}.html{anchor}")
-    return Cell(page, 0, f"div.live:has([aria-label='Run answer {name}'])")
+    return Cell(page, 0, f"div.live:has([aria-label='Run answer {name}']), div.live.highlight-cpp")
 
 
 def unfold(page: Page) -> None:
