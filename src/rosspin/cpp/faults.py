@@ -28,7 +28,8 @@ ADVICE = (
     ),
     (
         "reference to non-static member function must be called",
-        "A member function is called on an object: write [this] { timerCallback(); } in place of its name alone.",
+        "A member function is called on an object. In place of its name alone, write [this] { timerCallback(); } in "
+        "ROS 2, or &SpinnerCppNode::timerCallback, this in ROS 1.",
     ),
     (
         "literal operator for call to 'operator\"\"(h|min|s|ms|us|ns)'",

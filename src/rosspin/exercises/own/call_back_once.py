@@ -264,7 +264,7 @@ WRONG_CPP = [
     (
         {"timer_->cancel();": "timer_->stop();"},
         "does not compile: `no member named 'stop'",
-        "Nothing ran. Begin with the compiler's first error: others may",
+        "There is nothing of this name: compare its spelling",
     ),
     (
         {"timer_->cancel();": "timer_.cancel();"},

@@ -181,7 +181,7 @@ WRONG_CPP = [
     (
         {", this, true);": ", this, oneshot=true);"},
         "does not compile",
-        "Nothing ran. Begin with the compiler's first error: others may",
+        "There is nothing of this name: compare its spelling",
     ),
     (
         {

@@ -202,7 +202,7 @@ WRONG_CPP = [
     (
         {"timer_.stop();": "timer_.shutdown();"},
         "does not compile: `no member named 'shutdown'",
-        "Nothing ran. Begin with the compiler's first error: others may",
+        "There is nothing of this name: compare its spelling",
     ),
     (
         {"timer_.stop();": "{ timer_.stop(); heartbeat_.stop(); }"},

@@ -230,7 +230,7 @@ WRONG_CPP = [
     (
         {"&SpinnerCppNode::slowCallback": "slowCallback"},
         "does not compile",
-        "Nothing ran. Begin with the compiler's first error: others may",
+        "A member function is called on an object.",
     ),
     (
         {SAYS_CPP: SAYS_CPP + "    ros::Duration(0.6).sleep();\n"},

@@ -276,12 +276,12 @@ WRONG_CPP = [
     (
         {"[this] { slowCallback(); }": "slowCallback"},
         "does not compile",
-        "Nothing ran. Begin with the compiler's first error: others may",
+        "A member function is called on an object.",
     ),
     (
         {"  void slowCallback()": "  void slow()"},
         "does not compile: `use of undeclared identifier 'slowCallback'",
-        "Nothing ran. Begin with the compiler's first error: others may",
+        "There is nothing of this name: compare its spelling",
     ),
     ({SAYS_CPP: SAYS_CPP + "    rclcpp::sleep_for(600ms);\n"}, "`[FAST]`: counter 5 came at", AS_MANY),
 ]
