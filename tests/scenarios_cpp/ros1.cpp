@@ -2,43 +2,21 @@
 // the nearest tenth; what a scenario does happens at times that are far from each other.
 
 #include <boost/bind.hpp>
-#include <cstdio>
-#include <functional>
 #include <geometry_msgs/Twist.h>
-#include <map>
 #include <ros/callback_queue.h>
 #include <ros/file_log.h>
-#include <ros/ros.h>
 #include <std_msgs/Header.h>
 #include <std_msgs/String.h>
-#include <std_msgs/UInt32.h>
-#include <string>
+
+#include "ros1.hpp"
 
 namespace
 {
-ros::WallTime begun;
-
-void say(const std::string& what)
-{
-  std::printf("%.1f %s\n", (ros::WallTime::now() - begun).toSec() + 1e-9, what.c_str());
-  std::fflush(stdout);
-}
-
 std::string at(const ros::Time& time)
 {
   char text[40];
   std::snprintf(text, sizeof text, "%.1f", time.isZero() ? -1.0 : time.toSec() - begun.toSec() + 1e-9);
   return text;
-}
-
-void work(double seconds) { ros::WallDuration(seconds).sleep(); }
-
-template<class T>
-std::string shown(const T& value)
-{
-  std::stringstream stream;
-  stream << value;
-  return stream.str();
 }
 
 // --- timers ---
@@ -92,13 +70,6 @@ struct Listener
   }
 };
 
-std_msgs::UInt32 number(unsigned value)
-{
-  std_msgs::UInt32 message;
-  message.data = value;
-  return message;
-}
-
 void slow(ros::NodeHandle& nh, unsigned queue_size)
 {
   Listener listener{"slow", 0.75};
@@ -116,14 +87,12 @@ void slow(ros::NodeHandle& nh, unsigned queue_size)
   ros::spin();
 }
 
-typedef std::function<void(ros::NodeHandle&)> Scenario;
-
-std::map<std::string, Scenario> scenarios()
+Scenarios scenarios()
 {
   using ros::Duration;
   using ros::NodeHandle;
   using ros::TimerEvent;
-  std::map<std::string, Scenario> all;
+  Scenarios all;
 
   all["timer"] = [](NodeHandle& nh) { timer(nh, {}); };
   all["timer_blocks_0.7"] = [](NodeHandle& nh) { timer(nh, {{2, 0.7}}); };
@@ -621,19 +590,4 @@ std::map<std::string, Scenario> scenarios()
 }
 }  // namespace
 
-int main(int argc, char** argv)
-{
-  ros::init(argc, argv, "scenario");
-  ros::NodeHandle nh("~");
-  begun = ros::WallTime::now();
-  std::string name = nh.param<std::string>("scenario", "");
-  auto all = scenarios();
-  if (!all.count(name))
-  {
-    for (const auto& each : all)
-      std::puts(each.first.c_str());
-    return 2;
-  }
-  all[name](nh);
-  return 0;
-}
+int main(int argc, char** argv) { return run(argc, argv); }

@@ -1,10 +1,7 @@
 // Scenarios for message_filters of ROS 1, one for each run: ~scenario says which.
 
-#include <cstdio>
-#include <functional>
 #include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/TwistStamped.h>
-#include <map>
 #include <message_filters/cache.h>
 #include <message_filters/chain.h>
 #include <message_filters/pass_through.h>
@@ -14,15 +11,15 @@
 #include <message_filters/synchronizer.h>
 #include <message_filters/time_sequencer.h>
 #include <message_filters/time_synchronizer.h>
-#include <ros/ros.h>
-#include <string>
+
+#include "ros1.hpp"
 
 namespace
 {
 typedef geometry_msgs::PointStamped Point;
 typedef geometry_msgs::TwistStamped Twist;
 
-void say(const std::string& what)
+void print(const std::string& what)
 {
   std::puts(what.c_str());
   std::fflush(stdout);
@@ -55,22 +52,22 @@ struct Chance
   }
 };
 
-void both(const Point::ConstPtr& point, const Twist::ConstPtr& twist) { say(at(*point) + " with " + at(*twist)); }
+void both(const Point::ConstPtr& point, const Twist::ConstPtr& twist) { print(at(*point) + " with " + at(*twist)); }
 void three(const Point::ConstPtr& one, const Twist::ConstPtr& two, const Point::ConstPtr& other)
 {
-  say(at(*one) + " with " + at(*two) + " and " + at(*other));
+  print(at(*one) + " with " + at(*two) + " and " + at(*other));
 }
 void dropped(const Point::ConstPtr& point, const Twist::ConstPtr& twist)
 {
-  say("dropped " + (point ? at(*point) : "none") + " and " + (twist ? at(*twist) : "none"));
+  print("dropped " + (point ? at(*point) : "none") + " and " + (twist ? at(*twist) : "none"));
 }
 
 struct Sink
 {
   std::string name;
-  void both(const Point::ConstPtr& point, const Twist::ConstPtr& twist) { say(name + ": " + at(*point) + " " + at(*twist)); }
-  void one(const Point::ConstPtr& point) { say(name + ": " + at(*point)); }
-  void event(const ros::MessageEvent<Point const>& event) { say(name + ": event " + at(*event.getMessage())); }
+  void both(const Point::ConstPtr& point, const Twist::ConstPtr& twist) { print(name + ": " + at(*point) + " " + at(*twist)); }
+  void one(const Point::ConstPtr& point) { print(name + ": " + at(*point)); }
+  void event(const ros::MessageEvent<Point const>& event) { print(name + ": event " + at(*event.getMessage())); }
 };
 
 typedef message_filters::sync_policies::ApproximateTime<Point, Twist> OfTwo;
@@ -101,12 +98,10 @@ void by_chance(std::function<void(message_filters::Synchronizer<OfThree>&, unsig
     message_filters::Synchronizer<OfThree> sync(OfThree(seed == 1 ? 2 : 5 + seed));
     sync.registerCallback(three);
     set(sync, seed);
-    say("seed " + std::to_string(seed));
+    print("seed " + std::to_string(seed));
     give(sync, seed, in_order);
   }
 }
-
-typedef std::map<std::string, std::function<void(ros::NodeHandle&)>> Scenarios;
 
 Scenarios scenarios()
 {
@@ -118,7 +113,7 @@ Scenarios scenarios()
     message_filters::Subscriber<Twist> twists(nh, "twists", 10);
     message_filters::TimeSynchronizer<Point, Twist> sync(points, twists, 10);
     sync.registerCallback(boost::bind(&both, _1, _2));
-    points.registerCallback([](const Point::ConstPtr& point) { say("point " + at(*point)); });
+    points.registerCallback([](const Point::ConstPtr& point) { print("point " + at(*point)); });
     ros::Publisher point = nh.advertise<Point>("points", 10), twist = nh.advertise<Twist>("twists", 10);
     for (int each = 0; each < 6; each++)
     {
@@ -132,7 +127,7 @@ Scenarios scenarios()
       if (each == 4)
         points.subscribe();
     }
-    say(points.getTopic() + " " + twists.getTopic());
+    print(points.getTopic() + " " + twists.getTopic());
   };
   all["exact"] = [](NodeHandle&)
   {
@@ -184,7 +179,7 @@ Scenarios scenarios()
     message_filters::Cache<Point> cache(in, 4);
     Sink sink{"sink"};
     cache.registerCallback(&Sink::one, &sink);
-    say(at(Point()) + " " + std::to_string(cache.getLatestTime().toSec()));
+    print(at(Point()) + " " + std::to_string(cache.getLatestTime().toSec()));
     for (double time : {1.0, 3.0, 2.0, 5.0, 4.0, 4.5})
       in.add(stamped<Point>(time));
     auto tell = [](const std::string& what, const std::vector<Point::ConstPtr>& found)
@@ -192,7 +187,7 @@ Scenarios scenarios()
       std::string line = what;
       for (const Point::ConstPtr& each : found)
         line += " " + at(*each);
-      say(line);
+      print(line);
     };
     auto time = [](double seconds) { return ros::Time(100.0 + seconds); };
     tell("all", cache.getInterval(time(0), time(9)));
@@ -201,27 +196,27 @@ Scenarios scenarios()
     tell("around 0 to 9", cache.getSurroundingInterval(time(0), time(9)));
     tell("before 4", {cache.getElemBeforeTime(time(4))});
     tell("after 4", {cache.getElemAfterTime(time(4))});
-    say(cache.getElemBeforeTime(time(0)) ? "one" : "none");
-    say(cache.getElemAfterTime(time(9)) ? "one" : "none");
-    say(std::to_string(cache.getOldestTime().toSec()) + " " + std::to_string(cache.getLatestTime().toSec()));
+    print(cache.getElemBeforeTime(time(0)) ? "one" : "none");
+    print(cache.getElemAfterTime(time(9)) ? "one" : "none");
+    print(std::to_string(cache.getOldestTime().toSec()) + " " + std::to_string(cache.getLatestTime().toSec()));
   };
   all["chain"] = [](NodeHandle&)
   {
     message_filters::Chain<Point> chain;
-    chain.registerCallback([](const Point::ConstPtr& point) { say("passed " + at(*point)); });
+    chain.registerCallback([](const Point::ConstPtr& point) { print("passed " + at(*point)); });
     chain.add(stamped<Point>(1));
     auto cache = boost::make_shared<message_filters::Cache<Point>>(2);
     message_filters::PassThrough<Point> plain;
-    say(std::to_string(chain.addFilter(cache)));
-    say(std::to_string(chain.addFilter(&plain)));
-    plain.registerCallback([](const Point::ConstPtr& point) { say("second " + at(*point)); });
+    print(std::to_string(chain.addFilter(cache)));
+    print(std::to_string(chain.addFilter(&plain)));
+    plain.registerCallback([](const Point::ConstPtr& point) { print("second " + at(*point)); });
     chain.add(stamped<Point>(2));
     plain.add(stamped<Point>(3));
     message_filters::PassThrough<Point> input;
     chain.connectInput(input);
     input.add(stamped<Point>(4));
-    say(at(*chain.getFilter<message_filters::Cache<Point>>(0)->getElemBeforeTime(ros::Time(200))));
-    say(chain.getFilter<message_filters::PassThrough<Point>>(2) ? "one" : "none");
+    print(at(*chain.getFilter<message_filters::Cache<Point>>(0)->getElemBeforeTime(ros::Time(200))));
+    print(chain.getFilter<message_filters::PassThrough<Point>>(2) ? "one" : "none");
   };
   all["sequencer"] = [](NodeHandle& nh)
   {
@@ -242,7 +237,7 @@ Scenarios scenarios()
       give(stamp);
     ros::Timer late = nh.createTimer(ros::Duration(1.1), [&](const ros::TimerEvent&)
         {
-          say("too late, or too many");
+          print("too late, or too many");
           for (double stamp : {0.1, 0.95, 0.95, 1.05, 1.15, 1.25})
             give(stamp);
         }, true);
@@ -288,18 +283,4 @@ Scenarios scenarios()
 }
 }  // namespace
 
-int main(int argc, char** argv)
-{
-  ros::init(argc, argv, "scenario");
-  ros::NodeHandle nh("~");
-  std::string name = nh.param<std::string>("scenario", "");
-  auto all = scenarios();
-  if (!all.count(name))
-  {
-    for (const auto& each : all)
-      std::puts(each.first.c_str());
-    return 2;
-  }
-  all[name](nh);
-  return 0;
-}
+int main(int argc, char** argv) { return run(argc, argv); }

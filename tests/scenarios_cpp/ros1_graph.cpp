@@ -1,32 +1,13 @@
 // Scenarios for roscpp on who connects to a topic and what the master knows, one for each run: ~scenario says which. Each
 // line begins with the time since the start, in s, to the nearest tenth.
 
-#include <cstdio>
-#include <functional>
-#include <map>
 #include <ros/callback_queue.h>
-#include <ros/ros.h>
 #include <std_msgs/String.h>
-#include <std_msgs/UInt32.h>
-#include <string>
+
+#include "ros1.hpp"
 
 namespace
 {
-ros::WallTime begun;
-
-void say(const std::string& what)
-{
-  std::printf("%.1f %s\n", (ros::WallTime::now() - begun).toSec() + 1e-9, what.c_str());
-  std::fflush(stdout);
-}
-
-std_msgs::UInt32 number(unsigned data)
-{
-  std_msgs::UInt32 message;
-  message.data = data;
-  return message;
-}
-
 void hear(const std_msgs::UInt32::ConstPtr& message) { say("heard " + std::to_string(message->data)); }
 void connected(const ros::SingleSubscriberPublisher& to) { say("connected " + to.getSubscriberName() + " " + to.getTopic()); }
 void gone(const ros::SingleSubscriberPublisher& to) { say("gone " + to.getSubscriberName() + " " + to.getTopic()); }
@@ -36,8 +17,6 @@ void spin_for(double seconds)
   for (ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds); ros::WallTime::now() < end && ros::ok();)
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
 }
-
-typedef std::map<std::string, std::function<void(ros::NodeHandle&)>> Scenarios;
 
 Scenarios scenarios()
 {
@@ -166,19 +145,4 @@ Scenarios scenarios()
 }
 }  // namespace
 
-int main(int argc, char** argv)
-{
-  ros::init(argc, argv, "scenario");
-  ros::NodeHandle nh("~");
-  begun = ros::WallTime::now();
-  std::string name = nh.param<std::string>("scenario", "");
-  auto all = scenarios();
-  if (!all.count(name))
-  {
-    for (const auto& each : all)
-      std::puts(each.first.c_str());
-    return 2;
-  }
-  all[name](nh);
-  return 0;
-}
+int main(int argc, char** argv) { return run(argc, argv); }

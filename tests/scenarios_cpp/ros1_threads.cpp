@@ -2,35 +2,21 @@
 
 #include <boost/thread.hpp>
 #include <condition_variable>
-#include <cstdio>
 #include <cstring>
-#include <functional>
 #include <future>
-#include <map>
 #include <mutex>
 #include <pthread.h>
 #include <ros/callback_queue.h>
-#include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 #include <shared_mutex>
-#include <std_msgs/UInt32.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
-#include <string>
 #include <thread>
+
+#include "ros1.hpp"
 
 namespace
 {
-ros::WallTime begun;
-
-void say(const std::string& what)
-{
-  std::printf("%.1f %s\n", (ros::WallTime::now() - begun).toSec() + 1e-9, what.c_str());
-  std::fflush(stdout);
-}
-
-void work(double seconds) { ros::WallDuration(seconds).sleep(); }
-
 thread_local int calls = 10;
 
 // Says when it begins to live, and when it ends.
@@ -49,21 +35,6 @@ int called()
 }
 
 std::chrono::milliseconds ms(int count) { return std::chrono::milliseconds(count); }
-
-template<class T>
-std::string shown(const T& value)
-{
-  std::stringstream stream;
-  stream << value;
-  return stream.str();
-}
-
-std_msgs::UInt32 number(unsigned value)
-{
-  std_msgs::UInt32 message;
-  message.data = value;
-  return message;
-}
 
 void hear(const std_msgs::UInt32::ConstPtr& message) { say("heard " + std::to_string(message->data)); }
 
@@ -144,14 +115,12 @@ struct Asked
   }
 };
 
-typedef std::function<void(ros::NodeHandle&)> Scenario;
-
-std::map<std::string, Scenario> scenarios()
+Scenarios scenarios()
 {
   using ros::Duration;
   using ros::NodeHandle;
   using ros::TimerEvent;
-  std::map<std::string, Scenario> all;
+  Scenarios all;
 
   // --- threads ---
 
@@ -911,18 +880,7 @@ std::map<std::string, Scenario> scenarios()
 
 int main(int argc, char** argv)
 {
-  ros::init(argc, argv, "scenario");
-  ros::param::set("/use_sim_time", std::strncmp(ros::this_node::getName().c_str(), "/s_sim", 6) == 0);
-  ros::NodeHandle nh("~");
-  begun = ros::WallTime::now();
-  std::string name = nh.param<std::string>("scenario", "");
-  auto all = scenarios();
-  if (!all.count(name))
-  {
-    for (const auto& each : all)
-      std::puts(each.first.c_str());
-    return 2;
-  }
-  all[name](nh);
-  return 0;
+  // The nodes of those whose names begin with "sim" follow /clock.
+  return run(argc, argv,
+      [] { ros::param::set("/use_sim_time", std::strncmp(ros::this_node::getName().c_str(), "/s_sim", 6) == 0); });
 }

@@ -1,4 +1,4 @@
-"""Judge what a vehicle did that runs together with an answer, which steers it."""
+"""Judge what a vehicle did that runs together with an answer, which steers it; and the driver that tasks begin with."""
 
 from __future__ import annotations
 
@@ -12,10 +12,65 @@ from .feedback import Finding
 from .judging import plain, say
 from .seen import Seen
 
-__all__ = ["commands", "follows", "stands", "unmoved"]
+__all__ = ["commands", "driver_cpp", "follows", "stands", "unmoved"]
 
 _LEAST = 0.9  # of the way that it can go, it has to go so much
 _STILL = 0.05  # m; farther than this, it has moved
+
+_DRIVER_CPP = """
+#include <chrono>
+#include <memory>
+
+#include "geometry_msgs/msg/twist.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/float32.hpp"
+
+using namespace std::chrono_literals;
+
+class DriverCppNode : public rclcpp::Node
+{
+public:
+  DriverCppNode() : Node("driver_cpp_node")
+  {
+    publisher_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
+    subscription_ = create_subscription<std_msgs::msg::Float32>("line", 10,
+        [this](const std_msgs::msg::Float32& message) { lineCallback(message); });
+    timer_ = create_wall_timer(PERIOD, [this] { timerCallback(); });
+  }
+
+private:
+  void lineCallback(const std_msgs::msg::Float32& message)
+  {
+    offset_ = message.data;
+  }
+
+  void timerCallback()
+  {
+    geometry_msgs::msg::Twist command;
+    command.linear.x = 2.0;  // m/s
+    command.angular.z = 8.0 * offset_;  // rad/s, to the left
+    publisher_->publish(command);
+  }
+
+  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr publisher_;
+  rclcpp::Subscription<std_msgs::msg::Float32>::SharedPtr subscription_;
+  rclcpp::TimerBase::SharedPtr timer_;
+  double offset_ = 0.0;
+};
+
+int main(int argc, char* argv[])
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<DriverCppNode>());
+  rclcpp::shutdown();
+  return 0;
+}
+"""
+
+
+def driver_cpp(period: str) -> str:
+    """Return a node in C++ that steers by a timer of this period, such as ``100ms``."""
+    return _DRIVER_CPP.replace("PERIOD", period)
 
 
 def commands(seen: Seen, first: float = 0.0, last: float = float("inf")) -> list[Command]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .. import Finding
-from ..driving import commands, follows, stands
+from ..driving import commands, driver_cpp, follows, stands
 from ..judging import Answer, say
 from ..seen import Seen
 
@@ -56,55 +56,7 @@ if __name__ == '__main__':
     main()
 """
 
-NODE_CPP = """
-#include <chrono>
-#include <memory>
-
-#include "geometry_msgs/msg/twist.hpp"
-#include "rclcpp/rclcpp.hpp"
-#include "std_msgs/msg/float32.hpp"
-
-using namespace std::chrono_literals;
-
-class DriverCppNode : public rclcpp::Node
-{
-public:
-  DriverCppNode() : Node("driver_cpp_node")
-  {
-    publisher_ = create_publisher<geometry_msgs::msg::Twist>("cmd_vel", 10);
-    subscription_ = create_subscription<std_msgs::msg::Float32>("line", 10,
-        [this](const std_msgs::msg::Float32& message) { lineCallback(message); });
-    timer_ = create_wall_timer(100ms, [this] { timerCallback(); });
-  }
-
-private:
-  void lineCallback(const std_msgs::msg::Float32& message)
-  {
-    offset_ = message.data;
-  }
-
-  void timerCallback()
-  {
-    geometry_msgs::msg::Twist command;
-    command.linear.x = 2.0;  // m/s
-    command.angular.z = 8.0 * offset_;  // rad/s, to the left
-    publisher_->publish(command);
-  }
-
-  rclcpp::Publisher<geometry_msgs::msg::Twist>::SharedPtr publisher_;
-  rclcpp::Subscription<std_msgs::msg::Float32>::SharedPtr subscription_;
-  rclcpp::TimerBase::SharedPtr timer_;
-  double offset_ = 0.0;
-};
-
-int main(int argc, char* argv[])
-{
-  rclcpp::init(argc, argv);
-  rclcpp::spin(std::make_shared<DriverCppNode>());
-  rclcpp::shutdown();
-  return 0;
-}
-"""
+NODE_CPP = driver_cpp("100ms")
 
 HINTS = [
     "What does the vehicle do with the last command?",
