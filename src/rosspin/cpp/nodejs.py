@@ -122,6 +122,6 @@ def _end(child: subprocess.Popen[bytes]) -> None:
 
 
 @atexit.register
-def _endIDLE() -> None:
+def _end_nodes() -> None:
     while IDLE:
         _end(IDLE.pop())
