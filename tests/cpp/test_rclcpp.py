@@ -17,7 +17,7 @@ from tests.helpers.cpp_probes import differences
 from tests.helpers.cpp_scenarios import FOLDER, SECONDS, compared, recorded
 from tests.helpers.tree import ROOT
 
-pytestmark = pytest.mark.shares(3)
+pytestmark = pytest.mark.shares(9)
 
 Write = Callable[[str, str], Path]
 
