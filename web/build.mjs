@@ -130,7 +130,8 @@ await build({
   define: { "import.meta.url": JSON.stringify("memory:/") }, // where it believes that its files are
   entryPoints: [path.join(here, "src/worker.js")],
 })
-await build({ ...common, entryPoints: ["cpp.js", "clang.js"].map((name) => path.join(here, "src", name)) })
+const inCpp = ["cpp.js", "clang.js"].map((name) => path.join(here, "src", name))
+const { metafile: ofCpp } = await build({ ...common, entryPoints: inCpp })
 const { outputFiles } = await build({ ...common, write: false, entryPoints: [path.join(here, "src/sandbox.js")] })
 const script = outputFiles[0].text
 const policy = `default-src 'none'; script-src 'sha256-${sha256(script, "base64")}' blob: 'wasm-unsafe-eval'`
@@ -186,7 +187,7 @@ const live = await build({
 
 // What is bundled keeps its licence.
 const used = new Set(["pyodide"])
-for (const file of Object.keys(metafile.inputs)) {
+for (const file of Object.keys({ ...metafile.inputs, ...ofCpp.inputs })) {
   const found = file.match(/node_modules\/((?:@[^/]+\/)?[^/]+)/)
   if (found) used.add(found[1])
 }

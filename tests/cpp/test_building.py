@@ -14,7 +14,7 @@ import pytest
 
 from rosspin.__main__ import main
 from rosspin.cpp import CompileError, build, build_together, building
-from rosspin.cpp.building import _alone
+from rosspin.cpp.building import alone
 from rosspin.site import compiling
 from rosspin.site.compiling import _begin, _nodes
 from tests.helpers.tree import ROOT
@@ -25,7 +25,7 @@ NODE = ROOT / "examples/my_robotics_pkg/src/spinner_cpp_node.cpp"
 def test_whoever_waits_for_another_to_compile_says_so(tmp_path: Path) -> None:
     """A run that did not would seem to stand still."""
     first = ExitStack()
-    first.enter_context(_alone(tmp_path, lambda: None))
+    first.enter_context(alone(tmp_path, lambda: None))
     said: list[str] = []
 
     def waiting() -> None:
@@ -33,14 +33,14 @@ def test_whoever_waits_for_another_to_compile_says_so(tmp_path: Path) -> None:
         if len(said) == 2:
             first.close()
 
-    with _alone(tmp_path, waiting):
+    with alone(tmp_path, waiting):
         assert len(said) == 2
 
 
 def test_only_who_compiles_for_many_is_waited_for(tmp_path: Path) -> None:
     first = ExitStack()
-    first.enter_context(_alone(tmp_path, lambda: None))
-    with _alone(tmp_path, first.close, shared=True), _alone(tmp_path, pytest.fail, shared=True):
+    first.enter_context(alone(tmp_path, lambda: None))
+    with alone(tmp_path, first.close, shared=True), alone(tmp_path, pytest.fail, shared=True):
         pass
 
 

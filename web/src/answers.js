@@ -5,7 +5,7 @@
 export const ANSWER = "answer.cpp"
 
 /** What compiles C++, and how much that is. */
-export const LOADS_CLANG = "this page loads clang once: about 40 MB, which your browser keeps"
+export const LOADS_CLANG = "this page loads clang once: about 28 MB, which your browser keeps"
 
 /** Whether an answer is in C++, by what it includes: see rosspin/run/kinds/cpp.py. */
 export const isCpp = (/** @type {string} */ answer) => new RegExp(RULES.cpp.includes, "m").test(answer)

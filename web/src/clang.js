@@ -1,5 +1,6 @@
 // The compiler of C++ in the worker of a sandbox. It is sent its files, then jobs, one after the other: see protocol.js.
 
+import { XzReadableStream } from "xz-decompress"
 import { Compiler, unpacked } from "../../src/rosspin/cpp/js/llvm.mjs"
 
 /** @typedef {import("./protocol.js").CompileJob} CompileJob */
@@ -14,12 +15,22 @@ function file(name) {
   return promised
 }
 
+/**
+ * A file as it was before it was packed. No browser unpacks xz by itself, but what gzip makes of them is half as large again.
+ *
+ * @param {string} name
+ */
+async function whole(name) {
+  const packed = await file(name).promise
+  return new Response(new XzReadableStream(new Blob([/** @type {BlobPart} */ (packed)]).stream())).bytes()
+}
+
 const say = (/** @type {object} */ message) => postMessage(JSON.stringify(message))
 
-const starting = Promise.all([file("llvm.gz").promise, file("usr.gz").promise]).then(
+const starting = Promise.all([whole("llvm.xz"), whole("usr.xz")]).then(
   async ([llvm, usr]) => new Compiler(await WebAssembly.compile(/** @type {BufferSource} */ (llvm)), usr),
 )
-const kept = file("ros.gz").promise.then((archive) => unpacked(archive))
+const kept = whole("ros.xz").then((archive) => unpacked(archive))
 
 /**
  * Compile a node; its program, in base64, and what the compiler has said.

@@ -96,11 +96,11 @@ export async function loadCompiler(ros, tell, give) {
   const all = await (await fetch(new URL("parts.json", folder), { cache: "no-cache" })).json()
   const parts = all.filter((part) => part.ros === ros || !part.ros)
   const total = parts.reduce((sum, { bytes }) => sum + bytes, 0)
-  const known = new Set(all.map(({ sha256 }) => new URL(`${sha256}.gz`, folder).href))
+  const known = new Set(all.map(({ sha256 }) => new URL(`${sha256}.xz`, folder).href))
   for (const key of (await cache?.keys()) ?? []) if (!known.has(key.url)) await cache?.delete(key)
   let loaded = 0
   for (const { name, sha256 } of parts) {
-    const url = new URL(`${sha256}.gz`, folder).href
+    const url = new URL(`${sha256}.xz`, folder).href
     const kept = await cache?.match(url)
     const response = kept ?? (await fetch(url))
     if (!response.ok || !response.body) throw new Error(`${response.status} ${name}`)

@@ -127,7 +127,7 @@ def build(
     with tempfile.TemporaryDirectory() as scratch:
         plan = _planned(Path(path), text, Path(scratch), closed)
         if not plan.program.exists():
-            with _alone(plan.program.parent, waiting, shared=True):
+            with alone(plan.program.parent, waiting, shared=True):
                 made = _made(plan.ros, waiting)
                 said, status = ("", 0) if plan.program.exists() else _compile(plan.steps(made), waiting)
             if status:
@@ -142,7 +142,7 @@ def build_together(nodes: Sequence[tuple[str, str | None]]) -> None:
 
     The first that does not compile ends it: those that are left are built when they are needed, and errors told then.
     """
-    with tempfile.TemporaryDirectory() as scratch, _alone(_programs, lambda: None):
+    with tempfile.TemporaryDirectory() as scratch, alone(_programs):
         left = {}
         for number, (path, text) in enumerate(nodes):
             with suppress(OSError, ValueError):
@@ -317,7 +317,7 @@ def _made(ros: int, waiting: Waiting) -> _StandIn:
     """Compile the stand-in for a ROS unless that is done. Raises ValueError if there is no compiler."""
     made = stand_in(ros)
     if not all(step.file.exists() for step in made.steps):
-        with _alone(made.folder, waiting):
+        with alone(made.folder, waiting):
             for name, text in made.own.items():
                 _write(made.folder / "include" / name, text)
             # Perhaps another process has meanwhile.
@@ -379,7 +379,7 @@ def _write(file: Path, text: str) -> None:
 
 
 @contextmanager
-def _alone(folder: Path, waiting: Waiting, *, shared: bool = False) -> Iterator[None]:
+def alone(folder: Path, waiting: Waiting = lambda: None, *, shared: bool = False) -> Iterator[None]:
     """Wait until no other process is there, or if it is ``shared``, none that wants to be alone."""
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "lock", "w") as lock:

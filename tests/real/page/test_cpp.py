@@ -221,7 +221,7 @@ def test_a_change_is_compiled_here(page: Page, address: str, tmp_path: Path) -> 
     text = file.read_text(encoding="utf-8")
     assert PERIOD in text
     cell.button("Edit").click()
-    expect(cell.status).to_contain_text("loads clang once: about 40 MB")
+    expect(cell.status).to_contain_text("loads clang once: about 28 MB")
     faster = text.replace(PERIOD, PERIOD.replace("0.5", "0.25"))
     cell.write(faster)
     cell.run(1)
@@ -248,7 +248,7 @@ def test_a_change_is_compiled_here(page: Page, address: str, tmp_path: Path) -> 
     expect(received.element.locator(".highlight pre")).to_have_text(faster)
     received.run(1)
     assert "counter = 4" in received.ends("done: 4 ticks", 120_000)
-    assert not [url for url in asked if "/clang/" in url and url.endswith(".gz")]
+    assert not [url for url in asked if "/clang/" in url and url.endswith(".xz")]
 
 
 def test_a_changed_partner(page: Page, address: str) -> None:

@@ -56,7 +56,7 @@ def test_an_answer_is_compiled_judged_and_kept_besides_that_in_python(
     python.write(CELLS[NAME][0].source + "\n# mine\n")
     cell = in_cpp(page, address)
     cell.button("Edit").click()
-    expect(cell.status).to_contain_text("loads clang once: about 40 MB")
+    expect(cell.status).to_contain_text("loads clang once: about 28 MB")
     broken = IN_CPP[NAME].written({"counter_++;": "counter_++"})
     check(cell, broken)
     line = broken.splitlines().index("    counter_++") + 2

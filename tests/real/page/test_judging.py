@@ -68,7 +68,7 @@ def test_answers_in_cpp(table: Table) -> None:
         ben=handed_in("Ben", id="b", answers={"ten-hertz": right.node, "make-it-10-hz": other.changed}),
         eve=handed_in("Eve", id="e", answers={"make-it-10-hz": stolen, "slow-timer": right.node}),
     )
-    expect(table.page.get_by_role("alert")).to_contain_text("loads clang once: about 40 MB")
+    expect(table.page.get_by_role("alert")).to_contain_text("loads clang once: about 28 MB")
     table.done()
     for title in (f"Ada, exercise {ten}: solved", f"Ben, exercise {made}: solved"):
         expect(table.sign(title)).to_be_visible()
