@@ -30,6 +30,8 @@ class FutureState(Enum):
 
 _PENDING, _CANCELLED, _FINISHED = FutureState  # looked up at each tick
 
+_NONE: tuple[tuple[Any, ...], dict[str, Any]] = (), {}  # arguments
+
 
 class Future:
     """A result that is still to come. ``await`` it in a callback that is a coroutine.
@@ -174,10 +176,10 @@ class Task(Future):
     ) -> None:
         super().__init__(executor=executor)
         self._handler: Any = handler
-        self._rosspin_arguments = (args, kwargs or {})
+        self._rosspin_arguments = args, kwargs or _NONE[1]
         # Made only when the task is called: Python warns of a coroutine that never began, perhaps in a later run.
         self._rosspin_coroutine: Coroutine[Any, Any, Any] | None = None
-        self._rosspin_is_coroutine = inspect.iscoroutine(handler) or is_coroutine_function(handler)
+        self._rosspin_is_coroutine = is_coroutine_function(handler) or inspect.iscoroutine(handler)
         self._executing = False
         self._rosspin_turn = [None]  # taken by the thread that runs it
         self._rosspin_stack: Any = None  # on which it runs, or last did
@@ -218,7 +220,7 @@ class Task(Future):
             else:
                 self.set_result(result)
             self._handler = self._rosspin_coroutine = None
-            self._rosspin_arguments = (), {}  # of a callback, these hold the executor and the node
+            self._rosspin_arguments = _NONE  # of a callback, these hold the executor and the node
             # An exception that ends the program, such as SystemExit, leaves the task executing without end.
             self._executing = False
             if self._rosspin_watcher:
