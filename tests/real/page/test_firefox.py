@@ -40,6 +40,14 @@ RUN = """async (of, speed) => {
 }"""
 
 
+# The same of what came with a link.
+RUN_LINKED = f"""async (of, speed) => {{
+    const said = () => document.querySelector("div.live" + of + " .live-notice")?.textContent
+    while (!said()) await new Promise(go => setTimeout(go, 50))
+    return ({RUN})(of, speed)
+}}"""
+
+
 # What the teachers' page says of the answers in a file.
 JUDGE = """async text => {
     const dataTransfer = new DataTransfer()
@@ -67,6 +75,16 @@ def test_a_listing_in_cpp_runs(firefox_page: Tab, address: str, speed: str) -> N
     status, console = firefox_page.evaluate(RUN, ".highlight-cpp", speed)
     assert status == "done: 20 ticks"
     assert console == simulate(SPINNER_CPP, 10).console
+
+
+def test_a_change_in_cpp_is_compiled(firefox_page: Tab, address: str, tmp_path: Path) -> None:
+    """What came with a link is not what was compiled with the page."""
+    faster = tmp_path / SPINNER_CPP.name
+    faster.write_text(SPINNER_CPP.read_text(encoding="utf-8").replace("(0.5)", "(0.25)"), encoding="utf-8")
+    code = link(cell=1, text=faster.read_text(encoding="utf-8"), seconds=1)
+    firefox_page.open(f"{address}docs/ros2/tutorial.html?lang=cpp{code}")
+    status, console = firefox_page.evaluate(RUN_LINKED, ".highlight-cpp", "0")
+    assert (status, console) == ("done: 4 ticks", simulate(faster, 1).console)
 
 
 def test_answers_are_judged(firefox_page: Tab, site: Path) -> None:
