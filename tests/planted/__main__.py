@@ -25,7 +25,7 @@ ROOT = Path(__file__).parents[2]
 FAULTS: dict[str, dict[str, Any]] = tomllib.loads(Path(__file__).with_name("faults.toml").read_text(encoding="utf-8"))
 
 # Of what was built, a copy is given its own of what a build or a test changes, and the use of the rest.
-_COPIED = ("build/html", "build/doctrees", "build/jupyter_execute", "build/web")
+_COPIED = ("build/cpp", "build/html", "build/doctrees", "build/jupyter_execute", "build/web")
 _SHARED = (".venv", "build/npm", "build/ros2", "build/ros2-kilted")
 
 # What is seen in the pages only after they were built again.
@@ -95,7 +95,7 @@ def _catch(tree: Path, fault: dict[str, Any], lane: Sequence[str], hinted_only: 
     pytest = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *lane]
     return (
         (file.startswith("web/") and _fails(tree, [".venv/bin/node", "--test", "--test-reporter=tap", *scripts]))
-        or (file.startswith(_BUILT) and _fails(tree, ["make", "html"]))
+        or (file.startswith(_BUILT) and _fails(tree, ["make", "html", f"PYTHONPATH={tree / 'src'}"]))
         or _fails(tree, [*pytest, *hinted])
         or (not hinted_only and _fails(tree, [*pytest, *(f"--ignore={path}" for path in hinted)]))
         or None
@@ -104,7 +104,8 @@ def _catch(tree: Path, fault: dict[str, Any], lane: Sequence[str], hinted_only: 
 
 def _fails(tree: Path, command: Sequence[str]) -> str:
     """What a command says has failed; "" if nothing has."""
-    # The sources of the copy go before those that are installed; and random tests draw the same each time.
+    # The sources of the copy go before those that are installed, for which make has to be asked; and random tests draw
+    # the same each time.
     environment = os.environ | {"PYTHONPATH": str(tree / "src"), "ROSSPIN_SEED": "0"}
     pipe = subprocess.PIPE
     with subprocess.Popen(
