@@ -304,6 +304,17 @@ def test_what_has_no_stand_in_is_named(write: Write, include: str, body: str, na
     assert str(raised.value) == f"{name} is not simulated; run this node on a real ROS"
 
 
+def test_a_throttled_line_comes_again_after_its_period(write: Write) -> None:
+    """Exactly then, too (source: rcutils/logging_macros.h, ``RCUTILS_LOG_CONDITION_THROTTLE_BEFORE``)."""
+    body = """
+  auto node = std::make_shared<rclcpp::Node>("node");
+  auto tick = [&] { RCLCPP_INFO_THROTTLE(node->get_logger(), *node->get_clock(), 500, "tick"); };
+  auto timer = node->create_wall_timer(std::chrono::milliseconds(500), tick);
+  rclcpp::spin(node);
+"""
+    assert simulate(write(main(body), "node.cpp"), 2.2).console.count("tick") == 4
+
+
 EVENTS = """
   auto node = std::make_shared<rclcpp::Node>("node");
   int count = 0;

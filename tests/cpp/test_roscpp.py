@@ -311,6 +311,95 @@ def test_how_a_node_may_end(write: Write, body: str, status: int, said: str) -> 
     assert said in run.console
 
 
+def main(body: str) -> str:
+    return f'#include "ros/ros.h"\n#include <csignal>\nint main(int argc, char** argv)\n{{\n{body}}}\n'
+
+
+@pytest.mark.parametrize(("words", "name"), [([], r"/node_\d+"), (["__name:=given"], "/given")])
+def test_a_name_that_is_given_is_not_made_anonymous(write: Write, words: list[str], name: str) -> None:
+    body = """\
+  ros::init(argc, argv, "node", ros::init_options::AnonymousName);
+  std::puts(ros::this_node::getName().c_str());
+"""
+    assert re.fullmatch(f"{name}\n", simulate(write(main(body), "node.cpp"), 1.0, words).console)
+
+
+def test_a_node_may_have_a_handler_of_its_own(write: Write) -> None:
+    body = """\
+  std::signal(SIGINT, [](int) { std::puts("own"); ros::shutdown(); });
+  ros::init(argc, argv, "node", ros::init_options::NoSigintHandler);
+  ros::NodeHandle nh;
+  ros::spin();
+"""
+    run = simulate(write(main(body), "node.cpp"), 1.0)
+    assert (run.console, run.status) == ("own\n", 0)
+
+
+def test_a_node_ends_with_its_last_handle(write: Write) -> None:
+    """As run on Debian's roscpp."""
+    body = """\
+  ros::init(argc, argv, "node");
+  {
+    ros::NodeHandle one;
+    ros::NodeHandle other(one, "other");
+    one = other;
+    std::printf("%d %d\\n", ros::ok(), ros::isStarted());
+  }
+  std::printf("%d %d %d\\n", ros::ok(), ros::isStarted(), ros::isShuttingDown());
+"""
+    assert simulate(write(main(body), "node.cpp"), 1.0).console == "1 1\n0 0 1\n"
+
+
+def test_a_throttled_line_comes_again_after_its_period(write: Write) -> None:
+    """Exactly then, too (source: ros/console.h, ``ROSCONSOLE_THROTTLE_CHECK``)."""
+    body = """\
+  ros::init(argc, argv, "node");
+  ros::NodeHandle nh;
+  ros::Timer timer = nh.createTimer(ros::Duration(0.5), [](const ros::TimerEvent&) { ROS_INFO_THROTTLE(0.5, "tick"); });
+  ros::spin();
+"""
+    assert simulate(write(main(body), "node.cpp"), 2.2).console.count("tick") == 4
+
+
+def test_what_is_printed_comes_before_what_is_logged_next(write: Write) -> None:
+    body = """\
+  ros::init(argc, argv, "node");
+  ros::Time::init();
+  std::printf("printed ");
+  ROS_INFO("logged");
+  std::printf("printed again\\n");
+"""
+    console = simulate(write(main(body), "node.cpp"), 1.0).console
+    assert re.findall("printed again|printed|logged", console) == ["printed", "logged", "printed again"]
+
+
+def test_what_is_thrown_again_lives_until_it_is_caught(write: Write) -> None:
+    body = """\
+  struct Loud : std::runtime_error
+  {
+    Loud() : std::runtime_error("thrown") {}
+    ~Loud() { std::puts("gone"); }
+  };
+  try
+  {
+    try
+    {
+      throw Loud();
+    }
+    catch (const std::exception&)
+    {
+      std::puts("caught");
+      throw;
+    }
+  }
+  catch (const std::exception& error)
+  {
+    std::printf("%s again\\n", error.what());
+  }
+"""
+    assert simulate(write(main(body), "node.cpp"), 1.0).console == "caught\nthrown again\ngone\n"
+
+
 NAMED = """\
 #include "ros/ros.h"
 #include "std_msgs/UInt32.h"

@@ -292,6 +292,24 @@ Scenarios scenarios()
       ros::spinOnce();
     }
   };
+  all["spin_once_makes_what_waits"] = [](NodeHandle& nh)
+  {
+    ros::Publisher publisher = nh.advertise<std_msgs::UInt32>("topic", 10);
+    ros::Subscriber subscriber = nh.subscribe<std_msgs::UInt32>("topic", 10,
+        [&](const std_msgs::UInt32ConstPtr& message)
+        {
+          say("heard " + std::to_string(message->data));
+          publisher.publish(number(message->data + 1));
+          work(0.2);
+        });
+    publisher.publish(number(1));
+    for (int pass = 0; pass < 3; pass++)
+    {
+      work(0.3);
+      ros::spinOnce();
+      say("pass");
+    }
+  };
   all["call_one"] = [](NodeHandle& nh)
   {
     ros::Timer one = nh.createTimer(Duration(0.4), [](const TimerEvent&) { say("one"); });
@@ -322,6 +340,22 @@ Scenarios scenarios()
         });
     ros::spin();
     ROS_INFO("nobody sees this");
+    say("after");
+  };
+  all["shutdown_before_the_next_call"] = [](NodeHandle& nh)
+  {
+    auto callback = [](const char* name)
+    {
+      return [=](const TimerEvent&)
+      {
+        say(name);
+        ros::shutdown();
+        begun = ros::WallTime::now();
+      };
+    };
+    ros::Timer one = nh.createTimer(Duration(0.1), callback("one")), two = nh.createTimer(Duration(0.2), callback("two"));
+    work(0.5);
+    ros::spinOnce();
     say("after");
   };
   all["ends_by_itself"] = [](NodeHandle&) { say("nothing to do"); };

@@ -105,6 +105,20 @@ Scenarios scenarios()
     subscriber.shutdown();
     spin_for(0.5);
   };
+  all["not_told_after_its_end"] = [](NodeHandle& nh)
+  {
+    ros::Publisher other;
+    ros::Publisher publisher = nh.advertise<std_msgs::UInt32>("topic", 10,
+        [&](const ros::SingleSubscriberPublisher& to)
+        {
+          connected(to);
+          other.shutdown();
+        });
+    other = nh.advertise<std_msgs::UInt32>("topic", 10, connected, gone);
+    ros::Subscriber subscriber = nh.subscribe("topic", 10, hear);
+    ros::WallDuration(0.3).sleep();  // so that both are due
+    spin_for(0.5);
+  };
   all["own_topics"] = [](NodeHandle& nh)
   {
     ros::Publisher publisher = nh.advertise<std_msgs::UInt32>("topic", 10);

@@ -862,6 +862,7 @@ Scenarios scenarios()
     bool found = none.waitForExistence(Duration(0.5));
     bool called = none.call(empty);
     say(shown(found) + shown(called) + none.getService());
+    say("looks " + shown(none.waitForExistence(Duration(0))));
     one.shutdown();
     say(shown(setter.call(whole)) + shown(setter.exists()) + one.getService());
   };

@@ -1,5 +1,7 @@
 // Scenarios for rclcpp, one for each run: timers, rates and executors. The first argument names one.
 
+#include <future>
+
 #include "ros2.hpp"
 
 namespace
@@ -281,6 +283,15 @@ std::map<std::string, Scenario> scenarios()
     executor.spin_all(0s);
     say("all");
     attempt([&] { executor.spin_all(-1s); });
+  };
+  all["future_beside_a_timer"] = [](const Shared& node)
+  {
+    std::promise<int> promise;
+    std::shared_future<int> future = promise.get_future().share();
+    auto timer = node->create_wall_timer(300ms, [] { say("tick"); });
+    say(shown(rclcpp::spin_until_future_complete(node, future, 500ms)));
+    auto keeps = node->create_wall_timer(200ms, [&] { promise.set_value(1), say("kept"); });
+    say(shown(rclcpp::spin_until_future_complete(node, future, 500ms)));
   };
   all["executor_of_two_nodes"] = [](const Shared& node)
   {

@@ -5,6 +5,7 @@
 #include "example_interfaces/srv/add_two_ints.hpp"
 #include "geometry_msgs/msg/twist.hpp"
 #include "ros2.hpp"
+#include "rosgraph_msgs/msg/clock.hpp"
 #include "std_msgs/msg/string.hpp"
 
 using example_interfaces::srv::AddTwoInts;
@@ -212,6 +213,12 @@ std::map<std::string, Scenario> scenarios()
     publisher->publish(number(1));
     rclcpp::spin_some(node);
     say(std::to_string(publisher->get_subscription_count()));
+    auto forgets = node->create_publisher<UInt32>("last", 10);
+    auto late = node->create_subscription<UInt32>(
+        "last", rclcpp::QoS(10).transient_local(), [](const UInt32&) { say("heard"); });
+    forgets->publish(number(1));
+    rclcpp::spin_some(node);
+    say(std::to_string(forgets->get_subscription_count()));
   };
   all["counts"] = [](const Shared& node)
   {
@@ -304,6 +311,40 @@ std::map<std::string, Scenario> scenarios()
     say(shown(client->remove_pending_request(future)));
   };
 
+  all["service_that_answers_later"] = [](const Shared& node)
+  {
+    typedef std::shared_ptr<rmw_request_id_t> Header;
+    std::vector<std::pair<Header, AddTwoInts::Request::SharedPtr>> waiting;
+    auto service = node->create_service<AddTwoInts>("add",
+        [&](const Header header, const AddTwoInts::Request::SharedPtr request)
+        {
+          say("asked " + std::to_string(request->a));
+          waiting.emplace_back(header, request);
+        });
+    auto timer = node->create_wall_timer(700ms,
+        [&]
+        {
+          for (const auto& [header, request] : waiting)
+          {
+            AddTwoInts::Response response;
+            response.sum = request->a + request->b;
+            service->send_response(*header, response);
+          }
+          waiting.clear();
+        });
+    auto client = node->create_client<AddTwoInts>("add");
+    auto ask = [&](int a)
+    {
+      auto request = std::make_shared<AddTwoInts::Request>();
+      request->a = request->b = a;
+      return client->async_send_request(request,
+          [](rclcpp::Client<AddTwoInts>::SharedFuture future) { say("callback " + std::to_string(future.get()->sum)); });
+    };
+    auto one = ask(1), two = ask(2), three = ask(3);
+    say(shown(client->remove_pending_request(two)) + shown(client->remove_pending_request(two)));
+    rclcpp::spin(node);
+  };
+
   // --- parameters ---
 
   all["parameters"] = [](const Shared& node)
@@ -350,6 +391,18 @@ std::map<std::string, Scenario> scenarios()
     node->declare_parameter("fixed", 1, descriptor);
     say(node->set_parameter(rclcpp::Parameter("fixed", 2)).reason);
     attempt([&] { node->declare_parameter("odd", 3, node->describe_parameter("even")); });
+    descriptor = rcl_interfaces::msg::ParameterDescriptor();
+    descriptor.integer_range.resize(1);
+    descriptor.integer_range[0].set__from_value(1).set__to_value(10).set__step(4);
+    node->declare_parameter("steps", 1, descriptor);
+    for (int value : {5, 8, 9, 10})  // its end, too, which no step meets
+      say(std::to_string(value) + " " + shown(node->set_parameter(rclcpp::Parameter("steps", value)).successful));
+    descriptor = rcl_interfaces::msg::ParameterDescriptor();
+    descriptor.floating_point_range.resize(1);
+    descriptor.floating_point_range[0].set__from_value(0.25).set__to_value(2.0).set__step(0.5);
+    node->declare_parameter("real", 0.25, descriptor);
+    for (double value : {0.75, 1.0, 1.75, 2.0, 2.25})
+      say(shown(value) + " " + shown(node->set_parameter(rclcpp::Parameter("real", value)).successful));
   };
   all["parameter_callbacks"] = [](const Shared& node)
   {
@@ -376,6 +429,28 @@ std::map<std::string, Scenario> scenarios()
     first.reset();
     say(shown(node->set_parameter(rclcpp::Parameter("whole", 8)).successful));
   };
+  all["parameter_set_in_its_callback"] = [](const Shared& node)
+  {
+    node->declare_parameter("whole", 1);
+    node->declare_parameter("other", 1);
+    auto allows = node->add_on_set_parameters_callback(
+        [](const std::vector<rclcpp::Parameter>&)
+        {
+          say("allows");
+          return rcl_interfaces::msg::SetParametersResult().set__successful(true);
+        });
+    auto asked_first = node->add_on_set_parameters_callback(
+        [&](const std::vector<rclcpp::Parameter>& parameters)
+        {
+          attempt([&] { node->set_parameter(rclcpp::Parameter("other", 5)); });
+          return rcl_interfaces::msg::SetParametersResult().set__successful(parameters[0].as_int() < 5);
+        });
+    auto after = node->add_post_set_parameters_callback(
+        [&](const std::vector<rclcpp::Parameter>&) { attempt([&] { node->declare_parameter("third", 1); }); });
+    for (int value : {2, 8})
+      say(shown(node->set_parameter(rclcpp::Parameter("whole", value)).successful));
+    say(shown(node->get_parameter("whole")) + shown(node->get_parameter("other")));
+  };
   all["parameters_undeclared"] = [](const Shared&)
   {
     auto options = rclcpp::NodeOptions().allow_undeclared_parameters(true).automatically_declare_parameters_from_overrides(true);
@@ -390,6 +465,40 @@ std::map<std::string, Scenario> scenarios()
       say(name);
   };
 
+  // --- /clock ---
+
+  all["sim_time_set"] = [](const Shared& node)
+  {
+    auto clock = node->get_clock();
+    rcl_jump_threshold_t threshold{true, {5'000'000'000}, {-1'000'000'000}};
+    auto handler = clock->create_jump_callback([] { say("before"); },
+        [](const rcl_time_jump_t& jump)
+        {
+          bool same = jump.clock_change == RCL_ROS_TIME_NO_CHANGE;
+          say(same ? "jump " + shown(jump.delta.nanoseconds / 1e9) : "another clock");
+        },
+        threshold);
+    auto publisher = node->create_publisher<rosgraph_msgs::msg::Clock>("/clock", 1);
+    auto tell = [&](double seconds)
+    {
+      rosgraph_msgs::msg::Clock message;
+      message.clock = rclcpp::Time(static_cast<std::int64_t>(seconds * 1e9));
+      publisher->publish(message);
+      work(100ms);
+      say("told " + shown(node->now().seconds()));
+      rclcpp::spin_some(node);
+    };
+    say(shown(clock->ros_time_is_active()) + shown(node->now().seconds() > 90));
+    tell(10);
+    node->set_parameter(rclcpp::Parameter("use_sim_time", true));
+    say(shown(clock->ros_time_is_active()) + shown(node->now().seconds()));
+    auto timer = node->create_timer(2s, [&] { say("timer " + shown(node->now().seconds())); });
+    for (double seconds : {1.0, 2.0, 3.0, 8.0, 8.5, 10.0, 9.5, 8.5})
+      tell(seconds);
+    node->set_parameter(rclcpp::Parameter("use_sim_time", false));
+    say(shown(clock->ros_time_is_active()) + shown(node->now().seconds() > 90));
+  };
+
   // --- logs and contexts ---
 
   all["log"] = [](const Shared& node)
@@ -402,6 +511,7 @@ std::map<std::string, Scenario> scenarios()
     RCLCPP_FATAL(rclcpp::get_logger("free"), "fatal");
     logger.set_level(rclcpp::Logger::Level::Error);
     RCLCPP_WARN(logger, "warn");
+    RCLCPP_WARN(logger.get_child("part"), "warn");
     RCLCPP_ERROR(logger.get_child("part"), "error");
     (void)rcutils_logging_set_logger_level("free", RCUTILS_LOG_SEVERITY_DEBUG);
     RCLCPP_DEBUG(rclcpp::get_logger("free"), "debug");

@@ -601,7 +601,7 @@ void CallbackQueue::callAvailable(WallDuration timeout)
     std::list<Entry>* taken;
     ~Leave() { calling.erase(std::find(calling.begin(), calling.end(), taken)); }
   } leave{calling_, &taken};
-  while (!taken.empty() && enabled_)
+  while (!taken.empty())  // even if one of them has shut the node down
   {
     Entry entry = taken.front();
     taken.pop_front();
