@@ -40,6 +40,9 @@ function startCompiler(ros, hear) {
 /** So long (ms) a node may take to compile. */
 const TIME = 60_000
 
+/** @type {Sandbox | null} which has compiled before: to start clang takes longer than to compile a node */
+let warm = null
+
 /** @type {Promise<unknown>} until the compiler has done what it was asked: one thing after the other */
 let compiling = Promise.resolve()
 
@@ -91,7 +94,8 @@ async function compileFor({ source, filename, ros }, hear) {
   if (!isCpp(source)) throw new Fault(`${filename} includes neither ros/ros.h nor rclcpp/rclcpp.hpp`)
   const result = compiling.then(async () => {
     const sandbox = await startCompiler(ros, hear) // which ends one for another ROS
-    hear({ kind: "doing", said: "compiling", share: -1 })
+    hear({ kind: "doing", said: sandbox === warm ? "compiling" : "compiling: the first time takes longer", share: -1 })
+    warm = sandbox
     return compile(sandbox, source.replace(/^%%.*/, ""), filename) // the first line of an answer is none of it
   })
   compiling = result.catch(() => {})

@@ -51,6 +51,10 @@ test("more mistakes are explained, unless the compiler says what was meant", () 
     ["reference to non-static member function must be called; did you mean to call it with no arguments?", /on an object/],
     [`no matching literal operator for call to 'operator""ms' with argument of type`, /chrono_literals/],
     ["'std_msgs/msg/UInt32.hpp' file not found", /small letters/],
+    ["'std_msgs/msg/uint32.hpp' file not found", /small letters/],
+    ["no matching function for call to 'spin'", /a shared pointer to the node/],
+    ["no matching member function for call to 'publish'", /a message/],
+    ["no matching function for call to object of type 'element_type' (aka 'std::__bind<void (Two::*)()>')", /std::bind/],
     ["use of undeclared identifier 'std_msgs'", /a header of its own/],
     ["no member named 'String' in namespace 'std_msgs::msg'", /a header of its own/],
     ["no type named 'String' in namespace 'std_msgs'; did you mean 'std::string'?", /a header of its own/],
@@ -62,4 +66,15 @@ test("more mistakes are explained, unless the compiler says what was meant", () 
   ]
   for (const [said, meant] of cases) assert.match(advice(`a.cpp:3:4: error: ${said}\n    3 | text\n`), meant)
   assert.equal(advice("a.cpp:3:4: error: use of undeclared identifier 'creat_timer'; did you mean 'create_timer'?\n"), "")
+})
+
+test("of a call that fits no candidate, the notes say what it lacks", () => {
+  const call = "a.cpp:2:60: error: no matching member function for call to 'createTimer'\n"
+  const note = (text) => `ros/node_handle.h:169:3: note: ${text}\n`
+  const unlike = note("candidate template ignored: requirement 'std::is_convertible_v<void (Two::*)(), F>' was not satisfied")
+  const short = note("candidate function template not viable: requires at least 3 arguments, but 2 were provided")
+  const double = note("candidate function not viable: no known conversion from 'double' to 'Duration' for 1st argument")
+  assert.match(advice(call + unlike + short), /which is missing here/)
+  assert.match(advice(call + unlike), /The callback does not fit/)
+  assert.match(advice(call + double + unlike), /ros::Duration\(0\.1\)/)
 })

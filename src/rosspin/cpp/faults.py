@@ -20,6 +20,24 @@ ADVICE = (
         "A lambda knows the object that it is made in only if you give it that: write [this] in place of [].",
     ),
     (
+        "no known conversion from '(double|int)' to 'Duration'",
+        "In ROS 1 a period is a duration: write ros::Duration(0.1) in place of 0.1.",
+    ),
+    (
+        r"is_convertible_v<void \(\w+::[\s\S]*requires at least 3 arguments, but 2 were"
+        r"|'void \(\*\)\(P\)' against 'void \(\w+::|to object of type '.*__bind<",
+        "A method is called on an object, which is missing here: write &SpinnerCppNode::timerCallback, this in ROS 1, "
+        "and std::bind(&SpinnerCppNode::timerCallback, this) in ROS 2, with a placeholder for each argument.",
+    ),
+    (
+        "no matching function for call to 'spin",
+        "rclcpp::spin takes a shared pointer to the node, as std::make_shared<SpinnerCppNode>() gives.",
+    ),
+    (
+        "no matching member function for call to 'publish'",
+        "publish() takes a message: set the field of one, as in message.data = 5, and publish that.",
+    ),
+    (
         r"no matching (member )?function for call to '(create\w*|subscribe)'|to object of type '.*lambda"
         r"|a callback of a subscription takes|'detail::Adapter<.*' is not a class",
         "The callback does not fit what calls it: compare its parameters. A timer of ROS 1 calls it with a const "
@@ -36,8 +54,9 @@ ADVICE = (
         "For 500ms, a line at the top is missing: using namespace std::chrono_literals;",
     ),
     (
-        r"'\w+/(msg|srv)/[A-Z]\w*\.hpp' file not found",
-        "In ROS 2, the header of a message has its name in small letters: UInt32 is in std_msgs/msg/u_int32.hpp.",
+        r"'\w+/(msg|srv)/\w+\.h(pp)?' file not found",
+        "In ROS 2, the header of a message has its name in small letters, with _ between its words, and ends in .hpp: "
+        "UInt32 is in std_msgs/msg/u_int32.hpp.",
     ),
     (
         r"undeclared identifier '\w+_(msgs|srvs)'|no (type|member) named '\w+' in namespace '\w+_(msgs|srvs)",
