@@ -332,7 +332,10 @@ _HOMES = {
     "Subscription": "rclpy.subscription",
     "Time": "rclpy.time",
     **dict.fromkeys(
-        ("NodeNameNonExistentError", "TransitionCallbackReturnType", "UnsupportedEventTypeError"),
+        (
+            *("NodeNameNonExistentError", "QoSCompatibility", "SignalHandlerOptions", "TransitionCallbackReturnType"),
+            "UnsupportedEventTypeError",
+        ),
         "rclpy._rclpy_pybind11",
     ),
 }

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import Enum
 from functools import partial, wraps
 from importlib import import_module
 from typing import Any, NamedTuple
 
 from . import node as nodes
 from .callback_groups import CallbackGroup
+from .enumerations import CppEnum
 from .exceptions import RCLError, not_accepted
 from .handle import Life
 from .logging import get_logger
@@ -27,15 +27,12 @@ __all__ = [
 ]
 
 
-class TransitionCallbackReturn(Enum):
+class TransitionCallbackReturn(CppEnum):
     """What a callback of a transition returns. What it raises counts as ERROR."""
 
     SUCCESS = 97
     FAILURE = 98
     ERROR = 99
-
-    def __int__(self) -> int:
-        return self.value
 
     def to_label(self) -> str:
         """The label of the transition that follows."""

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from ..clocks.frames import warn
 from .duration import Duration, Held
+from .enumerations import PlainCppEnum
 
 __all__ = [
     *("DeadlineBestAvailable", "DurabilityPolicy", "HistoryPolicy", "InvalidQoSProfileException"),
@@ -274,7 +275,7 @@ def incompatible_policy(offered: Policies, requested: Policies) -> QoSPolicyKind
     return None
 
 
-class QoSCompatibility(IntEnum):
+class QoSCompatibility(PlainCppEnum):
     """Whether a publisher and a subscription match; WARNING: that depends on the middleware."""
 
     OK = 0

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from enum import Enum, IntEnum
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from .clock import Clock
+from .enumerations import PlainCppEnum
 from .exceptions import not_accepted
 from .qos import QoSProfile
 from .topics import PublisherEnd
@@ -18,15 +18,12 @@ if TYPE_CHECKING:
 __all__ = ["ServiceIntrospectionState"]
 
 
-class ServiceIntrospectionState(IntEnum):
+class ServiceIntrospectionState(PlainCppEnum):
     """Nothing, that a call was made or answered, or also what was said."""
 
     OFF = 0
     METADATA = 1
     CONTENTS = 2
-
-    __str__ = Enum.__str__
-    __format__ = Enum.__format__
 
 
 class Events:
@@ -54,7 +51,7 @@ class Events:
             )
             raise not_accepted(signature, kind, "Clock", "rmw_qos_profile_t", state, function="configure_introspection")
         self._clock, self._state = clock, state
-        if not state:
+        if state is ServiceIntrospectionState.OFF:
             self.stop()
         elif not self._publisher:
             topic = f"{end.end.topic}/_service_event"

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import signal
-from enum import Enum
 from typing import Any
 
 from .context import state
+from .enumerations import CppEnum
 
 __all__ = [
     *("SignalHandlerOptions", "get_current_signal_handlers_options", "install_signal_handlers"),
@@ -14,13 +14,13 @@ __all__ = [
 ]
 
 
-class SignalHandlerOptions(Enum):
+class SignalHandlerOptions(CppEnum):
     """Which signals shut the contexts down."""
 
+    ALL = 3
     NO = 0
     SIGINT = 1
     SIGTERM = 2
-    ALL = 3
 
 
 _NUMBERS = {
