@@ -50,8 +50,6 @@ _FLAGS += ["-D_WASI_EMULATED_SIGNAL", "-D_WASI_EMULATED_PROCESS_CLOCKS", "-D_WAS
 # As g++ without options, a number that is narrowed, a `register`, and a function that lacks its return are let pass.
 _FLAGS_NODE = ["-fsanitize=null", "-fsanitize-trap=null", "-ferror-limit=5"]
 _FLAGS_NODE += ["-Wno-c++11-narrowing", "-Wno-register", "-fno-strict-return"]
-# C++ lets a compiler take it that a loop comes to its end. A node that hangs in one has to hang here, too.
-_FLAGS_NODE += ["-fno-finite-loops"]
 _SYSTEM_LIBRARIES = "/usr/lib/wasm32-wasip1"
 _LINK = [f"{_SYSTEM_LIBRARIES}/crt1-command.o", f"-L{_SYSTEM_LIBRARIES}", "-lwasi-emulated-process-clocks"]
 _LINK += ["-lc++", "-lc++abi", "-lc", "/usr/lib/wasm32-unknown-wasip1/libclang_rt.builtins.a"]
