@@ -325,6 +325,6 @@ WRONG_CPP = [
     (
         {"publish(message)": "publish(counter_)"},
         "does not compile",
-        "Nothing ran. Begin with the compiler's first error: others may",
+        "publish() takes a message: set the field of one",
     ),
 ]
