@@ -15,6 +15,8 @@ import pytest
 from tests.helpers.seeds import SEED
 from tests.helpers.tree import ROOT
 
+pytestmark = pytest.mark.shares(3)
+
 NODES = 100
 SECONDS = 1.5
 

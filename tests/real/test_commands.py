@@ -15,6 +15,8 @@ from tests.helpers.launches import unspoilt
 from tests.helpers.tree import ROOT
 from tests.helpers.verdicts import control
 
+pytestmark = pytest.mark.shares(5)
+
 
 @pytest.mark.parametrize(
     "command", [command for command in COMMANDS if " run " in command and command not in SIMULATED]

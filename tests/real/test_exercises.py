@@ -15,6 +15,8 @@ from tests.helpers.cpp_nodes import CppNodes
 from tests.helpers.launches import NEVER, Until, launch
 from tests.helpers.verdicts import control
 
+pytestmark = pytest.mark.shares(10)
+
 
 def test_the_cpp_node_does_what_the_solution_says(cpp_nodes: CppNodes) -> None:
     with Workspace() as workspace:

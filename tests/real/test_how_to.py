@@ -25,7 +25,7 @@ from tests.helpers.launches import NEVER, Until, launch, launch_past
 from tests.helpers.tree import ROOT
 from tests.helpers.verdicts import control
 
-pytestmark = pytest.mark.shares(5)
+pytestmark = pytest.mark.shares(10)
 
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
 PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"

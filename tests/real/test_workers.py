@@ -21,6 +21,8 @@ from rosspin.__main__ import main
 from tests.helpers.answers import CELLS, WRONG, written
 from tests.helpers.tree import EXAMPLES
 
+pytestmark = pytest.mark.shares(10)
+
 BROKEN = "%%answer two-timers\n1 / 0"
 
 

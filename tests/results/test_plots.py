@@ -27,6 +27,9 @@ from rosspin import FaultEvent, Run, Tick, plots, simulate
 from rosspin.plots import Movable, picture, pictures, with_handle
 from rosspin.plots.pictures import alternative, figure_of, page, save
 
+pytestmark = pytest.mark.shares(3)
+
+
 # Much of Axes is typed as "object".
 compare: Any = plots.compare
 timeline: Any = plots.timeline

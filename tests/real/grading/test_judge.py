@@ -23,6 +23,8 @@ from rosspin.grading.lanes import Lanes, Task
 from tests.helpers.answers import CELLS, NAMES, WRONG, answer_in, written
 from tests.helpers.command_line import NEVER
 
+pytestmark = pytest.mark.shares(5)
+
 SOLVED = CELLS["slow-timer"][1].source
 OPEN = CELLS["slow-timer"][0].source
 WRONG_TIMER = "%%answer slow-timer\nafter_1_0_seconds = [1]\n"

@@ -25,7 +25,7 @@ from tests.helpers.answers import CELLS, IN_CPP
 from tests.helpers.command_line import NEVER
 from tests.helpers.hostile import ATTACKS, got_in, teachers_services, written
 
-pytestmark = pytest.mark.shares(2)
+pytestmark = pytest.mark.shares(5)
 
 SOLVED = CELLS["slow-timer"][1].source
 

@@ -12,7 +12,7 @@ from tests.helpers.axe import in_both_schemes
 from tests.helpers.listings_in_page import Cell, open_exercise, unfold
 from tests.helpers.looks import TOO_WIDE
 
-pytestmark = pytest.mark.shares(5)
+pytestmark = pytest.mark.shares(10)
 
 PAGE = "notebooks/drive.html"
 

@@ -15,7 +15,7 @@ from tests.helpers.answers import CELLS, IN_CPP
 from tests.helpers.listings_in_page import Cell, open_exercise
 from tests.helpers.readers import reader
 
-pytestmark = pytest.mark.shares(5)
+pytestmark = pytest.mark.shares(10)
 
 NAME = "make-it-10-hz"
 

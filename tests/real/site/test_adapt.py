@@ -16,7 +16,7 @@ from tests.helpers.small_sites import build
 from tests.helpers.small_sites import site as small_site
 from tests.helpers.tree import ROOT
 
-pytestmark = pytest.mark.shares(5)
+pytestmark = pytest.mark.shares(10)
 
 EXERCISES = "notebooks/ros2-exercises.md"
 

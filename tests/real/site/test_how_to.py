@@ -17,7 +17,7 @@ from bs4 import BeautifulSoup
 from rosspin import simulate
 from tests.helpers.tree import ROOT
 
-pytestmark = pytest.mark.shares(5)
+pytestmark = pytest.mark.shares(10)
 
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
 PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"

@@ -29,7 +29,7 @@ from rosspin.site.lessons import stale_lessons
 print(json.dumps([vars(each) for each in stale_lessons(__import__("pathlib").Path(sys.argv[1]))]))
 """
 
-pytestmark = pytest.mark.shares(5)
+pytestmark = pytest.mark.shares(10)
 
 
 def in_site(folder: Path, code: str, *args: str) -> str:
