@@ -17,6 +17,7 @@ from rosspin.cpp import CompileError, build, build_together, building
 from rosspin.cpp.building import alone
 from rosspin.site import compiling
 from rosspin.site.compiling import _begin, _nodes
+from rosspin.site.packing import pack
 from tests.helpers.tree import ROOT
 
 NODE = ROOT / "examples/my_robotics_pkg/src/spinner_cpp_node.cpp"
@@ -120,17 +121,23 @@ def test_what_a_page_runs_is_found() -> None:
 def test_pages_with_cpp_nodes_are_read_last_and_compiled_meanwhile(monkeypatch: pytest.MonkeyPatch) -> None:
     started: list[Any] = []
 
-    def process(target: object, args: tuple[list[tuple[str, str | None]]], daemon: bool) -> Any:
-        started.append((target, [Path(name).name for name, _ in args[0]]))
+    def process(target: object, args: tuple[Any], daemon: bool) -> Any:
+        named = target is build_together
+        started.append((target, [Path(name).name for name, _ in args[0]] if named else args[0]))
         return SimpleNamespace(start=lambda: None)
 
     monkeypatch.setattr(compiling, "get_context", lambda kind: SimpleNamespace(Process=process))
     names = {"docs/tutorial-timer": "rst", "notebooks/drift": "md", "notebooks/timer": "md"}
-    app: Any = SimpleNamespace(srcdir=ROOT, connect=lambda *args: None)
+    app: Any = SimpleNamespace(
+        srcdir=ROOT, confdir=ROOT, connect=lambda *args: None, builder=SimpleNamespace(format="html")
+    )
     env: Any = SimpleNamespace(doc2path=lambda page: ROOT / f"{page}.{names[page]}")
     pages = list(names)
     _begin(app, env, pages)
     assert pages == ["notebooks/drift", "docs/tutorial-timer", "notebooks/timer"]
-    assert started == [(build_together, [NODE.name, "2_callback.cpp", "cell"])]
+    assert started == [(build_together, [NODE.name, "2_callback.cpp", "cell"]), (pack, ROOT)]
     _begin(app, env, ["notebooks/drift"])
-    assert len(started) == 1
+    assert len(started) == 2
+    app.builder.format = ""  # the builder doctest has no pages
+    _begin(app, env, ["docs/tutorial-timer"])
+    assert [target for target, _ in started[2:]] == [build_together]

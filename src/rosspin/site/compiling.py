@@ -1,4 +1,7 @@
-"""Sphinx extension: the C++ nodes that pages run are compiled together, while other pages are read."""
+"""Sphinx extension: the C++ nodes that pages run are compiled together, while other pages are read.
+
+So is packed what a page needs to compile them itself.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +18,7 @@ from ..cpp import build_together
 from ..exercises.own import LESSONS
 from ..run.kinds import language_of, written_in
 from .lessons import shown_on
+from .packing import pack
 from .vehicle import NODES
 
 __all__ = ["setup"]
@@ -36,13 +40,16 @@ def setup(app: Sphinx) -> ExtensionMetadata:
 
 def _begin(app: Sphinx, env: BuildEnvironment, pages: list[str]) -> None:
     """Begin to compile, and read the pages that have to wait for that last."""
-    found = {page: [*_nodes(Path(env.doc2path(page)).read_text(encoding="utf-8"), app.srcdir)] for page in pages}
+    texts = {page: Path(env.doc2path(page)).read_text(encoding="utf-8") for page in pages}
+    found = {page: [*_nodes(text, app.srcdir)] for page, text in texts.items()}
     pages.sort(key=lambda page: bool(found[page]))
     if nodes := [node for page in pages for node in found[page]]:
         # A process of its own, as runs change what this one has.
         process = get_context("spawn").Process(target=build_together, args=(nodes,), daemon=True)
         process.start()
         app.connect("build-finished", lambda app, error: process.join())
+    if app.builder.format == "html" and any(map(_LIVE.search, texts.values())):
+        get_context("spawn").Process(target=pack, args=(app.confdir,), daemon=True).start()
 
 
 def _nodes(page: str, root: Path) -> Iterator[tuple[str, str | None]]:

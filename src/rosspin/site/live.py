@@ -13,13 +13,10 @@ import base64
 import gzip
 import hashlib
 import json
-import lzma
 import os
 import re
 import shlex
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
-from functools import cache
 from pathlib import Path
 from typing import Any, cast
 
@@ -28,7 +25,7 @@ from sphinx.application import Sphinx
 from sphinx.util.typing import ExtensionMetadata
 
 from ..clocks.simulation import Simulation
-from ..cpp import Part, alone, build, compiler, lean
+from ..cpp import build, lean
 from ..exercises import code
 from ..measures import lost_by_source
 from ..plots import picture
@@ -40,6 +37,7 @@ from ..run.source import load, load_source, split_words
 from ..run.streams import capture
 from ..world.graph import TickLog
 from ..world.world import NotSimulated
+from . import packing
 from .launched import launched
 
 __all__ = ["plot", "setup"]
@@ -119,7 +117,6 @@ def _add_below(app: Sphinx, doctree: nodes.document, name: str) -> None:
         if file and app.builder.format == "html":
             publish = _publish_launch if language == "xml" else _publish
             listing["classes"] += publish(Path(file), folder)
-            _begin_packing(_packed_compiler(app))
         if "highlight-cpp" in listing["classes"] and app.builder.format == "html":
             listing["classes"] += _publish_text(code(listing.astext()), Path(app.outdir, _PROGRAMS))
         made = "" if language == "xml" else plot(listing.astext(), file)
@@ -230,56 +227,7 @@ def _finish_pages(app: Sphinx, error: Exception | None) -> None:
         if path.name.partition(".")[0] not in programs:
             path.unlink()
     if programs:
-        _publish_compiler(Path(app.outdir, _COMPILER), _packed_compiler(app))
-
-
-# To pack the compiler takes most of a minute, but of one processor, and hardly any of Python's time.
-_packers = ThreadPoolExecutor(2)
-
-
-def _packed_compiler(app: Sphinx) -> Path:
-    """The folder that keeps the compiler as it was packed."""
-    return Path(app.confdir, "build/cpp/pages")
-
-
-@cache
-def _begin_packing(kept: Path) -> None:
-    """Pack what is there before any node is compiled, while pages are still read."""
-    for part in compiler():
-        if not part.ros:
-            _packers.submit(_pack, part, kept)
-
-
-def _pack(part: Part, kept: Path) -> bytes:
-    """Return a part of the compiler, packed, and keep that; what another build is packing is waited for."""
-    folder = kept / f"{part.name}{part.ros or ''}"
-    packed = folder / f"{part.key}.xz"
-    with alone(folder):
-        if not packed.exists():
-            beside = packed.with_suffix(".part")
-            # A smaller one takes a third longer for 2%.
-            beside.write_bytes(lzma.compress(part.make(), check=lzma.CHECK_CRC32, preset=7))
-            beside.rename(packed)
-    return packed.read_bytes()
-
-
-def _publish_compiler(folder: Path, kept: Path) -> None:
-    """Put the compiler into a folder, packed, each file named by its SHA-256; what was packed is ``kept``."""
-    folder.mkdir(parents=True, exist_ok=True)
-    files = {}
-    parts = []
-    packing = [(part, _packers.submit(_pack, part, kept)) for part in sorted(compiler(), key=lambda part: -part.ros)]
-    for part, packed in packing:
-        data = packed.result()
-        digest = hashlib.sha256(data).hexdigest()
-        files[f"{digest}.xz"] = data
-        parts.append({"name": f"{part.name}.xz", "ros": part.ros, "bytes": len(data), "sha256": digest})
-    files["parts.json"] = json.dumps(parts).encode()
-    for name, data in files.items():
-        (folder / name).write_bytes(data)
-    for path in folder.iterdir():
-        if path.name not in files:
-            path.unlink()
+        packing.publish(Path(app.outdir, _COMPILER), app.confdir)
 
 
 def policy(page: str) -> str:
