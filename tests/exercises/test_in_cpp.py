@@ -8,7 +8,7 @@ from rosspin.exercises import check, judge, trace
 from rosspin.exercises.own import Answer
 from tests.helpers.answers import FILES, IN_CPP, NOTEBOOKS, TASKS
 
-pytestmark = pytest.mark.shares(9)
+pytestmark = pytest.mark.shares(27)
 
 NAMES = list(IN_CPP)
 

@@ -27,7 +27,7 @@ from rosspin.clocks.explored import Order
 from rosspin.faults import Crash, Fault, Slow
 from rosspin.orders.strategies import bound_of_pct
 
-pytestmark = pytest.mark.shares(3)
+pytestmark = pytest.mark.shares(9)
 
 LOST = PLANTS["ros1-lost-update"]
 

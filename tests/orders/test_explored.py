@@ -14,7 +14,7 @@ from benchmarks.planted_orders import PLANTS
 from rosspin import pytest_plugin
 
 pytest_plugins = ["pytester"]
-pytestmark = pytest.mark.shares(3)
+pytestmark = pytest.mark.shares(9)
 
 TEST = """
 import pytest, rosspin
