@@ -526,15 +526,37 @@ export class Cell {
     if (number !== this.#runs) return
     this.#pinned = pinned
     this.pin.hidden = !pinned
-    const none = this.#endSteps
-    if (scenes) {
-      import(`${this.#base}stepper.js`).then(({ offer }) => {
-        if (this.#endSteps === none) this.#endSteps = offer(this.console.element, this.#name, scenes, this.#pre, this.#ran)
-        this.#reveal()
-      })
-    }
+    if (scenes) this.#offerSteps(scenes)
     if (count) this.#plot?.finish(ticks, count, alternative, chunks, end, lost)
     this.#say(said)
+  }
+
+  /**
+   * Let the reader go through what a run did, step by step. Who waits for whom is drawn immediately.
+   *
+   * @param {import("./protocol.js").Scenes} scenes
+   */
+  async #offerSteps(scenes) {
+    /** @type {() => Promise<typeof import("./stepper.js")>} */
+    const load = () => import(`${this.#base}stepper.js`)
+    const steps = make("div", { className: "live-steps" })
+    let end = () => {}
+    this.#endSteps = () => {
+      end()
+      steps.remove()
+    }
+    this.console.element.before(steps)
+    if (scenes.steps.length) {
+      const [name, pre, ran] = [this.#name, this.#pre, this.#ran]
+      const button = make("button", { type: "button", textContent: "Step through this run" })
+      button.addEventListener("click", async () => {
+        const { open } = await load()
+        if (button.isConnected) end = open(button, name, scenes, pre, ran)
+      })
+      steps.append(button)
+    }
+    if (scenes.rings.length) steps.append(...(await load()).drawn(scenes.rings))
+    this.#reveal()
   }
 
   /**

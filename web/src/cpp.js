@@ -2,6 +2,7 @@
 // protocol.js.
 
 import { Alone, COLOURS } from "../../src/rosspin/cpp/js/alone.mjs"
+import { called } from "./called.js"
 import { SHOWN } from "./limits.js"
 import { bySource, describe, lost } from "./measures.js"
 import { Page } from "./page.js"
@@ -158,6 +159,7 @@ async function run({ bytes, ros, filename, seconds, args, speed }, page) {
       .slice(-SHOWN.ticks),
     chunks: ticks.map((_, place) => (shown.chunks.get(first + place) ?? []).filter((chunk) => chunk >= shown.count - LAST_CHUNKS)),
     end: Math.min(end, seconds),
+    scenes: node.hasThreads ? null : called(node.ticks, Math.min(end, seconds), status), // which thread it was, is not told
     alternative: groups
       .slice(0, MOST_SOURCES)
       .map(({ source, group, gone }) => describe(source, group) + (gone.length ? ` Lost ticks: ${gone.length}.` : ""))

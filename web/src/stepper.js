@@ -190,29 +190,29 @@ const token = (/** @type {Callback} */ callback) => named("stepper-token", callb
 const row = (/** @type {Callback} */ callback) => named("stepper-row", callback, callback.how)
 
 /**
- * Let the reader go through what a run did; who waits for whom is drawn immediately. Returned is what takes that away.
+ * Let the reader go through what a run did, where a button was. Returned is what takes away what that shows elsewhere.
  *
- * @param {HTMLElement} next what it should be before
+ * @param {HTMLElement} button
  * @param {string} name
- * @param {import("./protocol.js").Scenes} scenes
+ * @param {import("./protocol.js").Scenes} scenes with at least one step
  * @param {HTMLElement | null} pre the listing
  * @param {string} text
  */
-export function offer(next, name, scenes, pre, text) {
+export function open(button, name, scenes, pre, text) {
+  addStyle()
+  const stepper = new Stepper(name, scenes, pre, text)
+  button.replaceWith(stepper.element)
+  stepper.forward.focus()
+  return () => stepper.end()
+}
+
+/** @param {import("./protocol.js").Ring[]} rings of waits, to be drawn */
+export function drawn(rings) {
+  addStyle()
+  return rings.map(drawRing)
+}
+
+function addStyle() {
   const { href } = new URL("../stepper/stepper.css", import.meta.url)
   if (!document.querySelector(`link[href="${href}"]`)) document.head.append(make("link", { rel: "stylesheet", href }))
-  /** @type {Stepper | null} */
-  let stepper = null
-  const button = make("button", { type: "button", textContent: "Step through this run" })
-  button.addEventListener("click", () => {
-    stepper = new Stepper(name, scenes, pre, text)
-    button.replaceWith(stepper.element)
-    stepper.forward.focus()
-  })
-  const steps = make("div", { className: "live-steps" }, scenes.steps.length ? button : "", ...scenes.rings.map(drawRing))
-  if (steps.firstChild) next.before(steps)
-  return () => {
-    stepper?.end()
-    steps.remove()
-  }
 }

@@ -13,6 +13,7 @@ from playwright.sync_api import BrowserContext, Page, expect
 from rosspin import simulate
 from rosspin.measures import by_source, describe_timeline
 from rosspin.results.pinned import as_test
+from tests.helpers.axe import in_both_schemes
 from tests.helpers.listings_in_page import Cell, unfold
 from tests.helpers.tree import EXAMPLES
 
@@ -51,6 +52,26 @@ def test_the_first_click_loads_at_most_150_kb_and_no_python(
     expect(cell.plot).to_have_attribute("aria-label", f"Timeline. {describe_timeline(ticks[0].source, ticks)}")
     cell.element.get_by_role("slider").press("ArrowRight")
     assert ["counter = 1" in line for line in cell.marked()] == [True]
+
+
+@pytest.mark.parametrize("address_of_page", TIMER)
+def test_a_run_is_gone_through_step_by_step(page: Page, address: str, address_of_page: str) -> None:
+    """What it takes is loaded when the reader asks for it."""
+    page.goto(address + address_of_page)
+    cell = Cell(page, 0, CPP)
+    cell.run(1)
+    cell.ends("done: 2 ticks")
+    with page.expect_request("**/stepper.js"):
+        cell.button("Step through this").click()
+    source = simulate(EXAMPLES / TIMER[address_of_page], 1).ticks[0].source
+    said = [f"main calls {source}.", f"{source} ends.", "No callback runs until 1 s."]
+    expect(cell.element.get_by_role("button", name="Forward")).to_be_focused()
+    for words in said:
+        page.keyboard.press("Enter")
+        expect(cell.element.locator(".stepper-said")).to_have_text(words)
+    assert in_both_schemes(page) == []
+    cell.button("Reset").click()
+    expect(cell.element.locator(".stepper")).to_have_count(0)
 
 
 @pytest.mark.parametrize("address_of_page", TIMER)

@@ -3,6 +3,7 @@
 import { Node } from "./node.mjs"
 import { Ros1 } from "./ros1.mjs"
 import { Ros2 } from "./ros2.mjs"
+import { hasThreads } from "./threads.mjs"
 import { packed, unpacked } from "./values.mjs"
 
 export { COLOURS } from "./values.mjs"
@@ -72,6 +73,10 @@ export class Alone extends Node {
       if (!(error instanceof Ended)) throw error
       return { status: error.status, end: seconds(this.shared.now) }
     }
+  }
+
+  get hasThreads() {
+    return hasThreads(this.module)
   }
 
   /** The tick in which the node is, by its number; -1: in none. */
