@@ -56,7 +56,7 @@ from .run.steps_seen import StepsSeen
 from .vehicle import VEHICLES
 from .vehicle.drawn import drawn
 from .vehicle.drives import NODE, Drive
-from .world.graph import TickLog
+from .world.graph import TickLog, unpacked
 from .world.world import NotSimulated, World
 
 if TYPE_CHECKING:
@@ -413,11 +413,11 @@ def _drive(node: Code, seconds: float, args: Sequence[str], pacer: _Pacer, print
     """Run a node together with a vehicle. What is shown is the node's, and the vehicle's drive."""
     result = run_beside(node, args, [VEHICLES[node.hint or 2]], seconds, pacer.simulation, printed)
     own = [place for place, tick in enumerate(result.ticks) if not tick.source.startswith(_OF_VEHICLE)]
-    ticks = tuple(result.ticks[place] for place in own)
+    result.ticks = ticks = tuple(result.ticks[place] for place in own)
     printed.chunks = [printed.chunks[place] for place in own]
     end = min(pacer.simulation.seconds(), seconds)
     drive = drawn(Drive.of(result.messages()), [tick.real for tick in ticks], end)
-    return _shown(result._replace(ticks=ticks), seconds, args, pacer, printed) | {"drive": drive}
+    return _shown(result, seconds, args, pacer, printed) | {"drive": drive}
 
 
 def _launch(
@@ -523,9 +523,11 @@ class _Printed(TickLog):
         self._last[thread] = place = super().add(source, number, expected, real, duration)
         return place
 
-    def extend(self, *columns: Sequence[Any]) -> None:
-        for tick in zip(*columns, strict=True):
+    def extend(self, data: bytes, names: Sequence[str]) -> int:
+        place = len(self)
+        for tick in zip(*unpacked((data, names)), strict=True):
             self.add(*tick)
+        return place
 
     def forget_before(self, make: Callable[..., None]) -> Callable[..., None]:
         """Wrap ``Rate.__init__`` of either ROS: what its thread has printed before belongs to no pass of its loop."""

@@ -71,7 +71,7 @@ class _Child:
         """Take what the node has written up to ``find_end(data)``: 0, or more than there is, until that has come."""
         assert self._child.stdout
         file = self._child.stdout.fileno()
-        used = self._used()
+        used: float | None = None  # when it was looked at first
         while not 0 < (end := find_end(self._data)) <= len(self._data):
             ready, _, _ = select.select([file], [], [], _LOOK)
             self._clock.beside += 1
@@ -82,6 +82,8 @@ class _Child:
                     self._world.failure = RuntimeError(f"{self._path}: Node.js has ended, status {status}")
                     end_run()
                 self._data += data
+            elif used is None:
+                used = self._used()
             elif self._used() - used > _MOST:
                 self._child.kill()
                 self._clock.stand_still(Place(self._path, 0))

@@ -24,7 +24,9 @@ __all__ = ["Batch", "Child", "Program", "Running"]
 
 NEVER = 2**63 - 1
 
-_TICK = 32  # bytes
+_TICK = 32  # bytes: see world.graph.Records
+_DURATION = 24
+_LASTS = b"\xff" * 8  # the duration of one that has not ended
 
 _SEGMENTATION_FAULT = 128 + 11
 
@@ -195,21 +197,17 @@ class Running:
                 log.coming += zip(sources, arguments[1::4], arguments[2::4], arguments[3::4])
 
     def _note_ticks(self, data: bytes) -> None:
-        """Record ticks, written as ``js/shared.mjs`` says, in whole columns: a run may have a million."""
+        """Record ticks, as bytes: a run may have a million."""
         log = self._world.recording.log
-        halves, wholes = memoryview(data).cast("i"), memoryview(data).cast("q")
         first, self._ticks = self._ticks, self._ticks + len(data) // _TICK
         if log is None:
             return
-        durations: list[int | None] = [*wholes[3::4].tolist()]
-        places = len(log)
-        at = -1
-        while -1 in durations[at + 1 :]:  # they last; there are as many as calls within calls
-            at = durations.index(-1, at + 1)
-            durations[at] = None
-            self._open[first + at] = places + at
-        sources = [self._sources[number] for number in halves[0::8].tolist()]
-        log.extend(sources, halves[1::8].tolist(), wholes[1::4].tolist(), wholes[2::4].tolist(), durations)
+        place = log.extend(data, self._sources)
+        at = data.find(_LASTS)
+        while at >= 0:  # there are as many as calls within calls
+            if at % _TICK == _DURATION:
+                self._open[first + at // _TICK] = place + at // _TICK
+            at = data.find(_LASTS, at + 1)
 
     def _trapped(self, trap: str, where: list[str]) -> None:
         """Say what has ended the node from outside, as on a computer: a fault of its memory."""

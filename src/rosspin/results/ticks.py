@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-__all__ = ["Call", "Message", "FaultEvent", "Run", "Tick"]
+__all__ = ["Call", "Message", "FaultEvent", "Run", "Tick", "with_ticks"]
 
 
 class Tick(NamedTuple):
@@ -97,3 +97,28 @@ class Run:
     calls: Sequence[Call] = field(default=(), repr=False)
     faults: Sequence[FaultEvent] = field(default=(), repr=False)
     coming: Sequence[Tick] = field(default=(), repr=False)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            """Make the ticks, when they are asked for first."""
+            own = vars(self)
+            if name == "ticks" and (make := own.get("_make_ticks")):
+                own.setdefault(name, make())  # another thread may ask for them, too
+                own.pop("_make_ticks", None)
+            if name in own:
+                return own[name]
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}", name=name, obj=self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled, or copied."""
+        self.ticks  # noqa: B018 - they are made
+        return vars(self)
+
+
+def with_ticks(run: Run, make: Callable[[], Sequence[Tick]]) -> Run:
+    """Return a run with ticks that ``make()`` makes when someone asks for them: it may have a million."""
+    own = vars(run)
+    del own["ticks"]
+    own["_make_ticks"] = make
+    return run

@@ -31,4 +31,5 @@ def run_beside(
         host.run(until)
     result = host.result()
     status = result.world.exit_status or 0
-    return result._replace(status=status if status >= 0 else 128 - status)
+    result.status = status if status >= 0 else 128 - status
+    return result

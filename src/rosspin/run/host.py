@@ -11,7 +11,7 @@ from contextlib import ExitStack, contextmanager
 from functools import cached_property
 from importlib import import_module
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TextIO
+from typing import TYPE_CHECKING, Any, Protocol, TextIO
 
 from ..clocks import signals, threads, virtual_time
 from ..clocks.clock import NS, Clock, nanoseconds
@@ -26,7 +26,7 @@ from ..clocks.simulation import Simulation, Standstill
 from ..clocks.stacks import Program, telling_turns
 from ..clocks.threads import list_threads, unlist_threads
 from ..clocks.watchdog import Stuck
-from ..results.ticks import Call, Message, Run, Tick
+from ..results.ticks import Call, Message, Run, Tick, with_ticks
 from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
 from .deadlock import explain_threads
@@ -449,16 +449,22 @@ class Host:
         """Return how the run ended."""
         status = self.supervisor.status if self.supervisor else self.processes[0].world.exit_status
         assert status is not None
-        return Result(status, self.recording.ticks(), self.recording.start / NS, self)
+        return Result(status, self.recording.start / NS, self)
 
 
-class Result(NamedTuple):
-    """How a run ended: its exit status, its ticks (none if not recorded) and its start (s since the epoch)."""
+class Result:
+    """How a run ended: its exit ``status``, its ticks (none if not recorded) and its ``start`` (s since the epoch)."""
 
-    status: int
-    ticks: tuple[Tick, ...]
-    start: float
-    host: Host
+    def __init__(self, status: int, start: float, host: Host) -> None:
+        self.status = status
+        self.start = start
+        self.host = host
+        self._make_ticks = host.recording.ticks_later()
+
+    @cached_property
+    def ticks(self) -> tuple[Tick, ...]:
+        """What has ticked."""
+        return self._make_ticks()
 
     @property
     def world(self) -> World:
@@ -468,9 +474,9 @@ class Result(NamedTuple):
     def run(self, console: str, runtime: str, seconds: float) -> Run:
         """Return the run, whose console and whose runtime these are, and which should continue for ``seconds``."""
         recording = self.host.recording
-        return Run(
+        run = Run(
             console,
-            self.ticks,
+            (),
             self.status,
             runtime,
             seconds,
@@ -480,6 +486,7 @@ class Result(NamedTuple):
             recording.fault_events(),
             recording.coming(),
         )
+        return with_ticks(run, self._make_ticks)
 
     def messages(self) -> tuple[Message, ...]:
         """Return what was published (nothing if not recorded)."""

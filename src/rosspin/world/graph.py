@@ -10,6 +10,7 @@ import math
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
+from functools import partial
 from itertools import chain, repeat
 from typing import Any, Generic, Protocol, TypeVar
 from weakref import WeakSet
@@ -27,9 +28,11 @@ __all__ = [
     "Faults",
     "Graph",
     "Published",
+    "Records",
     "Recording",
     "TickLog",
     "Transport",
+    "unpacked",
 ]
 
 Part = TypeVar("Part")
@@ -103,6 +106,12 @@ Published = tuple[str, str, int, Callable[[], Any]]
 
 _FIELDS = 5  # of a tick in a TickLog
 
+# Ticks as a program has written them: of each, in 32 bytes, the number of its source, and its own (int32), when it was
+# expected, when it came, and how long it took, -1 if it has not ended (int64). The names are those of the sources.
+Records = tuple[bytes, Sequence[str]]
+
+_RECORD = 32  # bytes
+
 
 class Ticking(Protocol):
     """A timer whose calls are recorded."""
@@ -127,22 +136,26 @@ class TickLog:
     """The ticks of a run, in the order in which they were recorded. Times are in ns; a tick is known by its place.
 
     All fields of all ticks are in one list. An object for each tick would cost more than the tick: memory that is no
-    longer in the processor's cache when it is needed again, and that the garbage collector goes through.
+    longer in the processor's cache when it is needed again, and that the garbage collector goes through. For the same
+    reason, what a program has written is put there only when someone asks for it.
     """
 
     watcher: Watcher | None = None  # if the run should be gone through step by step
 
     def __init__(self) -> None:
         self._fields: list[Any] = []  # source, number, expected, real, duration, source, number, ...
+        self._records: list[Records] = []  # the ticks after those, and how many these are
+        self._packed = 0
         self.timers: WeakSet[Ticking] = WeakSet()  # those that may continue when the run ends
         self.rates: WeakSet[Looping] = WeakSet()
         self.periods: dict[str, int] = {}  # ns, of each source; 0: its grid was moved
         self.coming: list[tuple[str, int, int, int]] = []  # source, number, expected, real: see results.ticks.Run
         self.is_over = False  # then C++ nodes add what comes next of theirs
+        self._ended = 0  # how many ticks there were then
 
     def look_ahead(self, find_trails: Callable[[], Mapping[int, Trail]]) -> None:
         """Note which calls of timers and passes of loops would come next. For the trails see :class:`Looping`."""
-        self.is_over = True
+        self.is_over, self._ended = True, len(self)
         timers = sorted(self.timers, key=lambda each: each._rosspin_source)
         self.coming = [call for timer in timers for call in timer._rosspin_coming()]
         if self.rates:
@@ -150,10 +163,12 @@ class TickLog:
             self.coming += sorted(call for rate in self.rates for call in rate._rosspin_coming(trails))
 
     def __len__(self) -> int:
-        return len(self._fields) // _FIELDS
+        return len(self._fields) // _FIELDS + self._packed
 
     def add(self, source: str, number: int, expected: int, real: int, duration: int | None = None) -> int:
         """Record a tick (ns) and return its place. If it has no duration yet, ``end`` gives it one."""
+        if self._records:
+            self._unpack()
         fields = self._fields
         at = len(fields)
         fields += (source, number, expected, real, duration)  # in one go, whatever other threads and signals do
@@ -163,29 +178,68 @@ class TickLog:
                 at -= _FIELDS
         return at // _FIELDS
 
-    def extend(self, *columns: Sequence[Any]) -> None:
-        """Record several ticks: their sources, numbers, when they were expected, when they came, how long they took."""
-        fields: list[Any] = [None] * (_FIELDS * len(columns[0]))
-        for field, column in enumerate(columns):
-            fields[field::_FIELDS] = column
-        self._fields += fields
+    def extend(self, data: bytes, names: Sequence[str]) -> int:
+        """Record the ticks that a program has written, and return the place of the first: see :data:`Records`."""
+        place = len(self)
+        self._records.append((data, names))
+        self._packed += len(data) // _RECORD
+        return place
+
+    def _unpack(self) -> None:
+        records, self._records, self._packed = self._records, [], 0
+        for each in records:
+            columns = unpacked(each)
+            fields: list[Any] = [None] * (_FIELDS * len(columns[0]))
+            for field, column in enumerate(columns):
+                fields[field::_FIELDS] = column
+            self._fields += fields
 
     def end(self, place: int, duration: int) -> None:
         """Record how long a tick took, in ns, now that it has ended."""
+        if self._records:
+            self._unpack()
         self._fields[place * _FIELDS + 4] = duration
 
     def source(self, place: int) -> str:
         """Return what has ticked."""
+        self._unpack()
         found: str = self._fields[place * _FIELDS]
         return found
 
     def is_running(self, place: int) -> bool:
         """Whether a tick has not ended."""
+        self._unpack()
         return self._fields[place * _FIELDS + 4] is None
 
-    def columns(self, since: int = 0) -> tuple[list[Any], ...]:
+    def columns(self, since: int = 0, until: int | None = None) -> tuple[list[Any], ...]:
         """Sources, numbers, when expected, when real, durations (None while it runs), from the tick ``since`` on."""
-        return tuple(self._fields[since * _FIELDS + field :: _FIELDS] for field in range(_FIELDS))
+        self._unpack()
+        end = until if until is None else until * _FIELDS
+        return tuple(self._fields[since * _FIELDS + field : end : _FIELDS] for field in range(_FIELDS))
+
+    def last_numbers(self) -> dict[str, int]:
+        """Return the number of the last tick of each source that has ticked since the run was over."""
+        since = self._ended * _FIELDS
+        last = dict(zip(self._fields[since::_FIELDS], self._fields[since + 1 :: _FIELDS]))
+        left = len(self) - self._ended
+        for data, names in reversed(self._records):
+            if left <= 0:
+                break
+            sources, numbers, *_ = unpacked((data, names))
+            last = {**dict(zip(sources, numbers)), **last}
+            left -= len(sources)
+        return last
+
+
+def unpacked(records: Records) -> tuple[list[Any], ...]:
+    """Return the same as ``columns`` of ticks that a program has written."""
+    data, names = records
+    halves, wholes = memoryview(data).cast("i"), memoryview(data).cast("q")
+    durations: list[int | None] = [*wholes[3::4].tolist()]
+    if -1 in durations:
+        durations = [None if each == -1 else each for each in durations]
+    sources = [names[number] for number in halves[0::8].tolist()]
+    return sources, halves[1::8].tolist(), wholes[1::4].tolist(), wholes[2::4].tolist(), durations
 
 
 class _Ends(Generic[E]):
@@ -299,8 +353,7 @@ class Recording:
         if not self.log or not self.log.coming:
             return ()
         start = self.start
-        sources, numbers, *_ = self.log.columns()
-        last = dict(zip(sources, numbers))  # some come even after Ctrl-C
+        last = self.log.last_numbers()  # some come even after Ctrl-C
         return tuple(
             Tick(name, number, (due - start) / NS, (real - start) / NS, math.nan)
             for name, number, due, real in self.log.coming
@@ -311,22 +364,13 @@ class Recording:
         """Return the period (s) of each timer and each Rate that has kept to one grid, by its source."""
         return {name: period / NS for name, period in self.log.periods.items() if period > 0} if self.log else {}
 
-    @_no_collections()
     def ticks(self, since: int = 0) -> tuple[Tick, ...]:
         """Return the recorded ticks, from the tick ``since`` on."""
-        if self.log is None:
-            return ()
-        start = self.start
-        sources, numbers, expected, real, durations = self.log.columns(since)
-        fields = zip(
-            sources,
-            numbers,
-            [(time - start) / NS for time in expected],
-            [(time - start) / NS for time in real],
-            [math.nan if duration is None else duration / NS for duration in durations],
-        )
-        # A run may have a million ticks: from its fields, a Tick takes twice as long.
-        return tuple(map(tuple.__new__, repeat(Tick), fields))
+        return self.ticks_later(since)()
+
+    def ticks_later(self, since: int = 0) -> Callable[[], tuple[Tick, ...]]:
+        """Return a function that makes what ``ticks`` returns, as it is now if it is called when the run is over."""
+        return tuple if self.log is None else partial(_ticks, self.log, self.start, since, len(self.log))
 
     @_no_collections()
     def messages(self, since: int = 0) -> tuple[Message, ...]:
@@ -367,6 +411,20 @@ class Recording:
 
     def __len__(self) -> int:
         return len(self._calls)
+
+
+@_no_collections()
+def _ticks(log: TickLog, start: int, since: int, until: int) -> tuple[Tick, ...]:
+    sources, numbers, expected, real, durations = log.columns(since, until)
+    fields = zip(
+        sources,
+        numbers,
+        [(time - start) / NS for time in expected],
+        [(time - start) / NS for time in real],
+        [math.nan if duration is None else duration / NS for duration in durations],
+    )
+    # A run may have a million ticks: from its fields, a Tick takes twice as long.
+    return tuple(map(tuple.__new__, repeat(Tick), fields))
 
 
 class Graph:
