@@ -581,10 +581,42 @@ int main(int argc, char** argv)
 """
 
 
-def test_threads_that_wait_for_each_other_are_killed_after_ctrl_c(write: Write) -> None:
+RING = """\
+rosspin: deadlock. This can never continue:
+rosspin:   thread 1 waits for a lock that main holds
+rosspin:   main waits for a lock that thread 1 holds
+rosspin: Lock them in the same order everywhere.
+"""
+
+
+def test_threads_that_wait_for_each_other_are_told_so_and_killed_after_ctrl_c(write: Write) -> None:
     run = simulate(write(LOCKED, "node.cpp"), 1.0)
     assert run.status == 128 + signal.SIGKILL
-    assert run.console.startswith("asks\nasks\nrosspin: Ctrl-C at 1 s did not end the node; it was killed 17 s later")
+    before, said, after = run.console.partition(RING)
+    assert before == "asks\nasks\n" and said
+    assert after.startswith("rosspin: Ctrl-C at 1 s did not end the node; it was killed 17 s later")
+
+
+TWICE = """\
+#include <mutex>
+#include <ros/ros.h>
+#include <thread>
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "node");
+  std::thread([] {}).join();
+  std::MUTEX one;
+  one.lock();
+  one.lock();
+  std::puts("has it twice");
+}
+"""
+
+
+def test_a_thread_that_locks_a_mutex_twice_is_told_so(write: Write) -> None:
+    console = simulate(write(TWICE.replace("MUTEX", "mutex"), "node.cpp"), 1.0).console
+    assert "rosspin:   main waits for a lock that it holds\nrosspin: A std::mutex cannot be locked twice" in console
+    assert simulate(write(TWICE.replace("MUTEX", "recursive_mutex"), "node.cpp"), 1.0).console == "has it twice\n"
 
 
 def test_a_run_with_threads_is_the_same_each_time() -> None:

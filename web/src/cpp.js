@@ -18,6 +18,9 @@ const LAST_CHUNKS = 10_000
 const MOST_SOURCES = 100
 const TEXT = 1_000_000
 
+/** So many deadlocks are drawn. */
+const MOST_RINGS = 20
+
 /** Names are not longer (characters). */
 const NAME = 200
 
@@ -159,7 +162,9 @@ async function run({ bytes, ros, filename, seconds, args, speed }, page) {
       .slice(-SHOWN.ticks),
     chunks: ticks.map((_, place) => (shown.chunks.get(first + place) ?? []).filter((chunk) => chunk >= shown.count - LAST_CHUNKS)),
     end: Math.min(end, seconds),
-    scenes: node.hasThreads ? null : called(node.ticks, Math.min(end, seconds), status), // which thread it was, is not told
+    scenes: node.hasThreads
+      ? { threads: [], groups: [], callbacks: [], steps: [], rings: node.rings.slice(0, MOST_RINGS) } // no tick tells its thread
+      : called(node.ticks, Math.min(end, seconds), status),
     alternative: groups
       .slice(0, MOST_SOURCES)
       .map(({ source, group, gone }) => describe(source, group) + (gone.length ? ` Lost ticks: ${gone.length}.` : ""))

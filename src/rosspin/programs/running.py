@@ -190,6 +190,8 @@ class Running:
             log.end(self._open.pop(tick), duration)
         elif what == "tell":
             name, arguments = unpacked(values[0])
+            if name == "ring":
+                return  # a picture for a page that runs it alone: in words, the program has said it
             if name != "coming":
                 self._ros.take(name, arguments)
             elif log is not None and log.is_over:

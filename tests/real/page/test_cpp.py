@@ -304,3 +304,34 @@ def test_a_changed_partner(page: Page, address: str) -> None:
         expect(subscriber.status).to_have_text("stopped")
     subscriber.run(1)
     assert "SUBSCRIBER CPP NODE" in subscriber.ends("done")
+
+
+LOCKED = """\
+#include <mutex>
+#include <ros/ros.h>
+#include <thread>
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "node");
+  std::mutex one, two;
+  auto lock = [](std::mutex& first, std::mutex& second)
+  {
+    first.lock();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    second.lock();
+  };
+  std::thread other(lock, std::ref(one), std::ref(two));
+  lock(two, one);
+}
+"""
+
+
+def test_a_deadlock_is_drawn(page: Page, address: str) -> None:
+    page.goto(f"{address}docs/tutorial.html?lang=cpp")
+    cell = Cell(page, 0, CPP)
+    cell.write(LOCKED)
+    cell.run(1)
+    assert "rosspin: deadlock. This can never continue:" in cell.ends("done|error", 120_000)
+    said = re.compile(r"^A ring of waits\. .*main waits for a lock that thread 1 holds")
+    expect(cell.element.locator("svg.stepper-ring")).to_have_attribute("aria-label", said)
+    expect(cell.button("Step through this")).to_have_count(0)

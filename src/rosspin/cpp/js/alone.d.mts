@@ -19,6 +19,7 @@ export class Alone {
   ticks: Tick[]
   foreseen: Tick[]
   periods: Map<string, number>
+  rings: { links: [name: string, waits: string][]; to: number }[]
   readonly hasThreads: boolean
   readonly now: bigint
   run(): Promise<{ status: number; end: number }>

@@ -40,6 +40,7 @@ export class Alone extends Node {
   ticks = []
   foreseen = [] // those that would have come next
   periods = new Map() // (s) by source
+  rings = [] // of waits
   #names = []
   #going = [] // the ticks that still run, by their numbers
   #events = []
@@ -96,6 +97,7 @@ export class Alone extends Node {
     if (what === "tell") {
       const [name, more] = unpacked(values[0])
       if (name === "coming") this.#foresee(more)
+      else if (name === "ring") this.rings.push({ links: more[0], to: 0 })
       else this.#ros.told[name](...more)
     } else if (what === "source") {
       const [name, period] = values

@@ -3,13 +3,16 @@
 #include "rosspin/host.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <exception>
 #include <pthread.h>
 #include <sched.h>
+#include <string>
 #include <utility>
+#include <vector>
 
 #define FROM_HOST(name) __attribute__((import_module("rosspin"), import_name(name))) extern
 
@@ -26,6 +29,8 @@ struct Thread
   char* stack = nullptr;
   Thread* next = nullptr;  // of all
   const void* what = nullptr;  // it waits for
+  const pthread_mutex_t* asked = nullptr;  // which it waits for
+  int number = 0;
   std::int64_t until = 0;  // when its time is, in the run's
   std::uint64_t place = 0;  // in the order in which they began to wait
   bool notified = false, ended = false, detached = false;
@@ -59,7 +64,7 @@ Thread* all = &first;
 Thread* running = &first;
 Thread* gone = nullptr;  // its stack is not left yet
 std::uint64_t places = 0;
-int keys = 0;
+int keys = 0, made_threads = 0;
 void (*destroys[most_keys])(void*);
 
 // The next one to run: time may have to pass first.
@@ -160,6 +165,7 @@ namespace rosspin
 namespace detail
 {
 void (*begin_thread)(void* (*)(void*), void*) = nullptr;
+void (*look_for_ring)() = nullptr;  // null until a thread was made; known elsewhere, or it would be part of each program
 bool is_alone() { return !all->next; }
 }  // namespace detail
 
@@ -204,6 +210,43 @@ void notify(const void* what, bool every)
 }
 }  // namespace rosspin
 
+namespace
+{
+std::string name_of(const Thread* thread) { return thread == &first ? "main" : "thread " + std::to_string(thread->number); }
+
+// Who holds the lock that a thread waits for; null if no thread that is still there.
+const Thread* holder_of(const Thread* thread)
+{
+  const Thread* found = all;
+  while (found && (!thread->asked || found != thread->asked->__u.__p[1]))
+    found = found->next;
+  return found;
+}
+
+// Say who waits for whom, if this thread waits for a lock whose holder waits, in the end, for this thread.
+void tell_ring()
+{
+  std::vector<rosspin::Value> links;
+  std::string said = "rosspin: deadlock. This can never continue:\n";
+  const Thread* each = running;
+  do
+  {
+    const Thread* holder = holder_of(each);
+    if (!holder || links.size() > 100)
+      return;
+    std::string waits = "waits for a lock that " + (holder == each ? "it" : name_of(holder)) + " holds";
+    said += "rosspin:   " + name_of(each) + " " + waits + "\n";
+    links.push_back(std::vector<rosspin::Value>{name_of(each), waits});
+    each = holder;
+  } while (each != running);
+  said += links.size() == 1
+    ? "rosspin: A std::mutex cannot be locked twice by one thread: unlock it first, or use a std::recursive_mutex.\n"
+    : "rosspin: Lock them in the same order everywhere.\n";
+  std::fputs(said.c_str(), stderr);
+  rosspin::tell("ring", {links});
+}
+}  // namespace
+
 extern "C"
 {
 // What leaves a thread's function ends the program.
@@ -246,6 +289,7 @@ int pthread_create(pthread_t* made, const pthread_attr_t* attributes, void* (*st
     if (pthread_create(&made, nullptr, start, value) == 0)
       pthread_detach(made);
   };
+  rosspin::detail::look_for_ring = tell_ring;
   auto thread = new Thread;
   thread->stack = static_cast<char*>(std::malloc(stack_size));
   thread->locals = new_locals();
@@ -257,6 +301,7 @@ int pthread_create(pthread_t* made, const pthread_attr_t* attributes, void* (*st
   thread->stack_end = thread->stack + stack_size;
   thread->start = start;
   thread->value = value;
+  thread->number = ++made_threads;
   thread->until = rosspin::detail::time();
   thread->place = ++places;
   int state = PTHREAD_CREATE_JOINABLE;
@@ -340,7 +385,8 @@ int pthread_setspecific(pthread_key_t key, const void* value)
   return 0;
 }
 
-// The library puts a mutex's type first in it; its owner and how often that has locked it come next. A mutex that is unlocked goes to whoever asks first, which may be the thread that has unlocked it.
+// The library puts a mutex's type first in it; its owner and how often that has locked it come next. A mutex that is
+// unlocked goes to whoever asks first, which may be the thread that has unlocked it.
 int pthread_mutex_trylock(pthread_mutex_t* mutex)
 {
   auto& owner = mutex->__u.__p[1];
@@ -353,8 +399,15 @@ int pthread_mutex_trylock(pthread_mutex_t* mutex)
 
 int pthread_mutex_lock(pthread_mutex_t* mutex)
 {
-  while (pthread_mutex_trylock(mutex))
+  if (pthread_mutex_trylock(mutex) == 0)
+    return 0;
+  running->asked = mutex;
+  if (rosspin::detail::look_for_ring)
+    rosspin::detail::look_for_ring();
+  do
     rosspin::wait_for(mutex, rosspin::never);
+  while (pthread_mutex_trylock(mutex));
+  running->asked = nullptr;
   return 0;
 }
 
