@@ -24,33 +24,15 @@ FROM_HOST("name") const char* rosspin_name(std::uintptr_t address, std::size_t* 
 
 namespace
 {
-constexpr int most_ticks = 4096;
+constexpr int most_ticks = sizeof rosspin_shared.tick / sizeof *rosspin_shared.tick;
 
 // A program that looks at the clock so often without waiting waits by looking: from then on each look takes 1 µs, and
 // ten times as long each time that it has looked so often again, up to 1 ms (see js/wasi.mjs).
 constexpr std::int32_t most_looks = 10'000;
 constexpr std::int64_t one_look[] = {0, 1'000, 10'000, 100'000, 1'000'000};
-
-struct Tick
-{
-  std::int32_t source, number;
-  std::int64_t expected, real, duration;  // -1 while it lasts
-};
 }  // namespace
 
-extern "C"
-{
-// What the host reads and writes here, in this order (see js/shared.mjs): the time, what the system's clock is ahead of
-// it, until when the program is alone; whether it has told something, so that the host has to be asked; how often it has
-// looked; and the ticks, as many as were not told yet, and the number of the first of these.
-__attribute__((used)) struct
-{
-  std::int64_t now, ahead, horizon;
-  std::int32_t urgent, looks, ticks, unused;
-  std::int64_t first;
-  Tick tick[most_ticks];
-} rosspin_shared;
-}
+__attribute__((used)) RosspinShared rosspin_shared;
 
 namespace rosspin
 {
@@ -186,9 +168,6 @@ std::int64_t system_now() { return now() + shared.ahead; }
 
 namespace detail
 {
-std::int64_t time() { return shared.now; }
-std::int64_t ahead() { return shared.ahead; }
-
 // Nothing else has anything to do before the horizon, so the time moves to it without the host.
 void go_on(std::int64_t until)
 {

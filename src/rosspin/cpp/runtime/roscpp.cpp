@@ -31,8 +31,8 @@ struct Node
 Node& node()
 {
   // Never destroyed: what lives as long as the program may need it.
-  static Node* one = new Node;
-  return *one;
+  static Node* one = nullptr;
+  return *(one ? one : one = new Node);
 }
 
 constexpr std::int64_t second = 1'000'000'000;
@@ -529,8 +529,7 @@ void waitForShutdown()
 
 namespace
 {
-void call_due_timers();
-std::int64_t next_timer();
+std::int64_t call_due_timers();
 }  // namespace
 
 void CallbackQueue::addCallback(const CallbackInterfacePtr& callback, std::uint64_t owner)
@@ -550,6 +549,7 @@ void CallbackQueue::removeByID(std::uint64_t owner)
 
 bool CallbackQueue::empty()
 {
+  rosspin::look();
   call_due_timers();
   return waiting_.empty();
 }
@@ -563,12 +563,13 @@ bool CallbackQueue::await(std::int64_t until)
 {
   for (;;)
   {
-    call_due_timers();
+    rosspin::look();
+    std::int64_t next = call_due_timers();
     if (first() != waiting_.end())
       return true;
-    if (!enabled_ || rosspin::now() >= until || (this == &node().queue && !node().ok))
+    if (!enabled_ || rosspin::detail::time() >= until || (this == &node().queue && !node().ok))
       return false;
-    rosspin::wait(std::min(until, next_timer()));
+    rosspin::wait(std::min(until, next));
   }
 }
 
@@ -576,8 +577,7 @@ CallbackQueue::CallOneResult CallbackQueue::callOne(WallDuration timeout)
 {
   if (!enabled_)
     return Disabled;
-  rosspin::look();
-  if (!await(later(rosspin::now(), timeout.toNSec())))
+  if (!await(later(rosspin::detail::time(), timeout.toNSec())))
     return Empty;
   auto found = first();
   Entry entry = *found;
@@ -590,8 +590,7 @@ void CallbackQueue::callAvailable(WallDuration timeout)
 {
   if (!enabled_)
     return;
-  rosspin::look();
-  await(later(rosspin::now(), timeout.toNSec()));
+  await(later(rosspin::detail::time(), timeout.toNSec()));
   std::list<Entry> taken;
   taken.swap(waiting_);
   calling_.push_back(&taken);
@@ -738,14 +737,18 @@ struct TimerImpl::Run : CallbackInterface
   bool is_called = false;
   std::uint64_t order;
   CallResult call() override;
-  std::int64_t time() const { return timer->clock_(); }
-  // Whether its time is what /clock tells, so that its future is unknown.
-  bool is_told() const { return timer->clock_ == time_of<Time> && Time::isSimTime(); }
-  // When it is due, in the run's time; never while it does not wait.
-  std::int64_t due() const
+  // How far its clock is ahead of the run's time, unless it is what /clock tells, so that its future is unknown.
+  std::int64_t ahead() const { return timer->clock_ == time_of<SteadyTime> ? 0 : rosspin::detail::ahead(); }
+  bool is_told() const { return timer->clock_ == time_of<Time> && node().told; }
+  std::int64_t time() const { return is_told() ? *node().told : rosspin::detail::time() + ahead(); }
+  // When it is due, in the run's time, which is `now`; never while it does not wait.
+  std::int64_t due(std::int64_t now) const
   {
-    std::int64_t now = rosspin::now(), due = next - time() + now;
-    return waits && (due <= now || !is_told()) ? due : rosspin::never;
+    if (!waits)
+      return rosspin::never;
+    if (is_told())
+      return *node().told >= next ? now - (*node().told - next) : rosspin::never;
+    return next - ahead();
   }
   void fire(const CallbackInterfacePtr& self)
   {
@@ -781,8 +784,8 @@ struct Timers
 
 Timers& timers()
 {
-  static Timers* all = new Timers;
-  return *all;
+  static Timers* all = nullptr;
+  return *(all ? all : all = new Timers);
 }
 
 // As roscpp's timer manager, it is made with the first timer, so it is gone before a global timer ends.
@@ -791,30 +794,24 @@ struct Manager
   ~Manager() { timers().gone = true; }
 };
 
-std::int64_t next_timer()
+// Call those that are due, and return when the next one is.
+std::int64_t call_due_timers()
 {
-  std::int64_t next = rosspin::never;
-  for (const auto& run : timers().runs)
-    next = std::min(next, run->due());
-  return next;
-}
-
-void call_due_timers()
-{
-  std::int64_t now = rosspin::now();
+  std::int64_t now = rosspin::detail::time();
   for (;;)
   {
-    boost::shared_ptr<detail::TimerImpl::Run> first;
+    const boost::shared_ptr<detail::TimerImpl::Run>* first = nullptr;
     std::int64_t when = rosspin::never;
     for (const auto& run : timers().runs)
-      if (std::int64_t due = run->due(); due < when)
+      if (std::int64_t due = run->due(now); due < when)
       {
         when = due;
-        first = run;
+        first = &run;
       }
-    if (!first || when > now)
-      return;
-    first->fire(first);
+    if (when > now)
+      return when;
+    boost::shared_ptr<detail::TimerImpl::Run> run = *first;
+    run->fire(run);
   }
 }
 }  // namespace
@@ -833,8 +830,8 @@ namespace detail
 {
 TimerImpl::TimerImpl(std::int64_t period, std::function<void(const Called&)> callback, const std::string& name,
     Tracked tracked, CallbackQueueInterface* queue, bool oneshot, std::int64_t (*clock)())
-  : period(period), callback_(std::move(callback)), name_(name), tracked_(std::move(tracked)), queue_(queue),
-    oneshot_(oneshot), clock_(clock)
+  : period(period), callback_(std::make_shared<const std::function<void(const Called&)>>(std::move(callback))),
+    name_(name), tracked_(std::move(tracked)), queue_(queue), oneshot_(oneshot), clock_(clock)
 {
 }
 
@@ -924,15 +921,15 @@ CallbackInterface::CallResult TimerImpl::Run::call()
   called.real = time();
   called.expired = expired;
   called.duration = duration;
-  std::int64_t begun = rosspin::now();
+  std::int64_t begun = rosspin::detail::time();
   std::int64_t ahead = called.real - begun;
   std::int64_t tick = self->begin_tick(called.expected - ahead, begun);
   auto callback = self->callback_;  // the timer may be destroyed meanwhile
   is_called = true;
-  callback(called);
+  (*callback)(called);
   is_called = false;
   call_due_timers();  // others that became due meanwhile come first
-  duration = rosspin::now() - begun;
+  duration = rosspin::detail::time() - begun;
   TimerImpl::end_tick(tick, duration);
   if (!timer)
     return Success;

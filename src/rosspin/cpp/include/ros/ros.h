@@ -238,7 +238,7 @@ public:
   struct Run;
 
 private:
-  std::function<void(const Called&)> callback_;
+  std::shared_ptr<const std::function<void(const Called&)>> callback_;
   std::string name_;
   Tracked tracked_;
   CallbackQueueInterface* queue_;

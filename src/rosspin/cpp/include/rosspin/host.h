@@ -12,6 +12,26 @@
 #include <utility>
 #include <vector>
 
+// What the host reads and writes here, in this order (see js/shared.mjs): the time, what the system's clock is ahead of
+// it, until when the program is alone; whether it has told something, so that the host has to be asked; how often it has
+// looked; and the ticks, as many as were not told yet, and the number of the first of these.
+struct RosspinTick
+{
+  std::int32_t source, number;
+  std::int64_t expected, real, duration;  // -1 while it lasts
+};
+
+extern "C"
+{
+extern struct RosspinShared
+{
+  std::int64_t now, ahead, horizon;
+  std::int32_t urgent, looks, ticks, unused;
+  std::int64_t first;
+  RosspinTick tick[4096];
+} rosspin_shared;
+}
+
 namespace rosspin
 {
 constexpr std::int64_t never = INT64_MAX;
@@ -36,8 +56,8 @@ void look();
 // What threads are made of (see runtime/threads.cpp).
 namespace detail
 {
-std::int64_t time();
-std::int64_t ahead();
+inline std::int64_t time() { return rosspin_shared.now; }
+inline std::int64_t ahead() { return rosspin_shared.ahead; }
 void go_on(std::int64_t until);
 bool is_alone();
 extern void (*begin_thread)(void* (*start)(void*), void* value);  // null until a thread was made
