@@ -177,8 +177,8 @@ std::int64_t Clock::ns() const
 std::int64_t Clock::in_run(std::int64_t ns) const
 {
   if (active_)
-    return ns <= ros_ ? rosspin::now() : rosspin::never;
-  return type_ == RCL_STEADY_TIME ? ns : ns - (rosspin::system_now() - rosspin::now());
+    return ns <= ros_ ? rosspin::detail::time() : rosspin::never;
+  return type_ == RCL_STEADY_TIME ? ns : ns - rosspin::detail::ahead();
 }
 
 void Clock::jump(rcl_clock_change_t change, std::int64_t ns, bool active)
@@ -631,15 +631,10 @@ std::string below(const std::string& name, const std::string& sub_namespace)
 }
 }  // namespace detail
 
-bool detail::Callable::is_free() const
-{
-  auto in = group.lock();
-  return !in || in->can_be_taken_from();
-}
-
 void CallbackGroup::add(const std::shared_ptr<detail::Callable>& member)
 {
   member->group = weak_from_this();
+  member->free = free_;
   members_.push_back(member);
   detail::changed();
 }
@@ -1926,39 +1921,40 @@ void Executor::collect()
     if (std::find(kept.begin(), kept.begin() + old, *each) == kept.begin() + old)
       kept.push_back(*each);
   known_.assign(kept.begin(), kept.end());
+  found_.clear();
+  for (const auto& each : kept)
+    found_.push_back(each.get());
 }
 
 bool Executor::goes_on() const { return spinning_ && context_->is_valid(); }
 
-std::vector<std::shared_ptr<detail::Callable>> Executor::due() const
+// Take what is due, and return when the first of the others is.
+std::int64_t Executor::take_due()
 {
   using detail::Callable;
   static const Callable::Kind usual[] = {
       Callable::timer, Callable::subscription, Callable::service, Callable::client, Callable::event};
   static const Callable::Kind statically[] = {
       Callable::subscription, Callable::timer, Callable::client, Callable::service, Callable::event};
-  std::vector<std::shared_ptr<Callable>> found;
-  for (const auto& each : known_)
-    if (auto callable = each.lock(); callable && callable->is_free() && callable->is_due())
-      found.push_back(callable);
-  if (found.size() > 1)
+  std::int64_t now = rosspin::detail::time(), next = rosspin::never;
+  for (std::size_t each = 0; each < found_.size(); each++)
+    if (found_[each]->is_free())
+    {
+      std::int64_t due = found_[each]->due();
+      if (due > now)
+        next = std::min(next, due);
+      else if (auto callable = known_[each].lock())
+        taken_.push_back(std::move(callable));
+    }
+  if (taken_.size() > 1)
   {
-    std::vector<std::shared_ptr<Callable>> sorted;
+    std::deque<std::shared_ptr<Callable>> sorted;
     for (Callable::Kind kind : statically_ ? statically : usual)
-      for (const auto& callable : found)
+      for (const auto& callable : taken_)
         if (callable->kind == kind)
           sorted.push_back(callable);
-    found.swap(sorted);
+    taken_.swap(sorted);
   }
-  return found;
-}
-
-std::int64_t Executor::next_due() const
-{
-  std::int64_t next = rosspin::never;
-  for (const auto& each : known_)
-    if (auto callable = each.lock(); callable && callable->is_free())
-      next = std::min(next, callable->due());
   return next;
 }
 
@@ -1969,13 +1965,13 @@ void Executor::wait_for_work(std::int64_t timeout)
   rosspin::wait(rosspin::now());  // what has come is seen
   for (;;)
   {
+    rosspin::look();
     if (needs_collecting())
       collect();
-    auto found = due();
-    taken_.assign(found.begin(), found.end());
-    if (!taken_.empty() || rosspin::now() >= end || !goes_on())
+    std::int64_t next = take_due();
+    if (!taken_.empty() || rosspin::detail::time() >= end || !goes_on())
       return;
-    rosspin::wait(std::min(end, next_due()));
+    rosspin::wait(std::min(end, next));
   }
 }
 

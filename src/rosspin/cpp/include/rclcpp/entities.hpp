@@ -41,9 +41,10 @@ public:
   virtual std::int64_t due() const = 0;
   virtual void call_back() = 0;
   // Whether its group lets it be called now.
-  bool is_free() const;
+  bool is_free() const { return !free || *free; }
   const Kind kind;
   std::weak_ptr<CallbackGroup> group;
+  std::shared_ptr<std::atomic_bool> free;  // the group's
 };
 
 // Grows whenever executors have to look again at what belongs to nodes, which is when that has changed.
@@ -67,8 +68,9 @@ class CallbackGroup : public std::enable_shared_from_this<CallbackGroup>
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(CallbackGroup)
   CallbackGroup(CallbackGroupType type, bool automatic) : type_(type), automatic_(automatic) {}
+  ~CallbackGroup() { *free_ = true; }
   CallbackGroupType type() const { return type_; }
-  std::atomic_bool& can_be_taken_from() { return free_; }
+  std::atomic_bool& can_be_taken_from() { return *free_; }
   std::atomic_bool& get_associated_with_executor_atomic() { return taken_; }
   bool automatically_add_to_executor_with_node() const { return automatic_; }
   std::size_t size() const { return members().size(); }
@@ -80,7 +82,8 @@ public:
 private:
   CallbackGroupType type_;
   bool automatic_;
-  std::atomic_bool free_{true}, taken_{false};
+  std::shared_ptr<std::atomic_bool> free_ = std::make_shared<std::atomic_bool>(true);
+  std::atomic_bool taken_{false};
   mutable std::vector<std::weak_ptr<detail::Callable>> members_;
 };
 namespace callback_group

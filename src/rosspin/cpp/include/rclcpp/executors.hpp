@@ -99,12 +99,12 @@ protected:
   void spin_some(std::chrono::nanoseconds max_duration, bool exhaustive);
   bool needs_collecting() const { return seen_ != detail::changes; }
   void collect();
-  std::vector<std::shared_ptr<detail::Callable>> due() const;
-  std::int64_t next_due() const;
+  std::int64_t take_due();
 
   Context::SharedPtr context_;
   bool spinning_ = false, statically_ = false;
   std::vector<std::weak_ptr<detail::Callable>> known_;  // in the order in which they are looked at
+  std::vector<detail::Callable*> found_;  // the same ones, as long as nothing has changed
   std::deque<std::shared_ptr<detail::Callable>> taken_;
 
 private:
