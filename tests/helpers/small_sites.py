@@ -74,12 +74,12 @@ def arguments(builder: str) -> list[str]:
     return ["-b", builder, "-d", "build/doctrees", "-n", "--no-color", ".", f"build/{builder}"]
 
 
-def build(folder: Path, builder: str) -> subprocess.CompletedProcess[str]:
-    """As a command, but in this process, which has imported everything."""
+def build(folder: Path, builder: str, *more: str) -> subprocess.CompletedProcess[str]:
+    """As a command, but in this process, which has imported everything; with ``more`` arguments."""
     # The doctest builder sets this, and leaves it.
     with chdir(folder), patch.object(doctest, "compile", compile, create=True):
         with redirect_stdout(io.StringIO()) as out, redirect_stderr(io.StringIO()) as err:
-            status = main(arguments(builder))
+            status = main([*more, *arguments(builder)])
     return subprocess.CompletedProcess(builder, status, out.getvalue(), err.getvalue())
 
 

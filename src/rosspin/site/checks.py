@@ -58,12 +58,13 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_config_value("what_pages_show", lambda config: config.what_pages_run, "html")
     app.connect("config-inited", _begin)
     app.connect("env-purge-doc", lambda app, env, page: noted(env).pop(page, None))
+    app.connect("env-merge-info", _merge)
     app.connect("env-get-outdated", lambda app, env, *changed: [page for page, notes in noted(env).items() if notes])
     app.connect("doctree-read", _read_notebook)
     app.connect("doctree-read", _run_examples)
     app.connect("env-updated", _look_at_picture)
     app.connect("build-finished", _finish)
-    return {"parallel_read_safe": False, "parallel_write_safe": True}
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
 def _begin(app: Sphinx, config: Config) -> None:
@@ -78,6 +79,10 @@ def _begin(app: Sphinx, config: Config) -> None:
 def _mark(app: Sphinx) -> Path:
     """Return the file that is there while a build is not at its end."""
     return Path(app.doctreedir, "unfinished")
+
+
+def _merge(app: Sphinx, env: BuildEnvironment, pages: Sequence[str], other: BuildEnvironment) -> None:
+    noted(env).update({page: notes for page, notes in noted(other).items() if page in pages})
 
 
 def _run_examples(app: Sphinx, doctree: nodes.document) -> None:

@@ -159,8 +159,14 @@ def _write(app: Sphinx) -> list[tuple[str, dict[str, Any], str]]:
     return []
 
 
+def _write_serially(app: Sphinx) -> None:
+    """Let one process write all pages: what is kept while lists are written would be lost with another."""
+    type(app.builder).allow_parallel = False
+
+
 def setup(app: Sphinx) -> ExtensionMetadata:
     """Connect the functions above, after all that adds to a page."""
+    app.connect("builder-inited", _write_serially)
     app.connect("html-page-context", _split, priority=900)
     app.connect("html-collect-pages", _write)
-    return {"parallel_read_safe": True, "parallel_write_safe": False}
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

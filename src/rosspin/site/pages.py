@@ -628,4 +628,4 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("doctree-read", name_exercises)
     app.connect("doctree-read", link_by_label, priority=400)  # before Sphinx collects the headings
     app.connect("env-updated", name_pages)
-    return {"parallel_read_safe": False, "parallel_write_safe": True}
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

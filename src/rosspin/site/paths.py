@@ -9,6 +9,7 @@ paths, of the class ``course`` before others; along that, the links to the next 
 from __future__ import annotations
 
 import html
+from collections.abc import Sequence
 from typing import Any, NamedTuple, cast
 
 from docutils import nodes
@@ -64,6 +65,10 @@ def _collect(app: Sphinx, page: nodes.document) -> None:
 def _purge(app: Sphinx, env: BuildEnvironment, page: str) -> None:
     for name in [name for name, path in _all(env).items() if path.page == page]:
         del _all(env)[name]
+
+
+def _merge(app: Sphinx, env: BuildEnvironment, pages: Sequence[str], other: BuildEnvironment) -> None:
+    _all(env).update({name: path for name, path in _all(other).items() if path.page in pages})
 
 
 def _steps(env: BuildEnvironment) -> dict[str, list[_Step]]:
@@ -144,8 +149,9 @@ def _lead_on(app: Sphinx, page: str, template: str, context: dict[str, Any], doc
 def setup(app: Sphinx) -> ExtensionMetadata:
     """Connect the functions above."""
     app.connect("env-purge-doc", _purge)
+    app.connect("env-merge-info", _merge)
     app.connect("doctree-read", _collect)
     app.connect("env-updated", _write_again)
     app.connect("doctree-resolved", _add_lines)
     app.connect("html-page-context", _lead_on)
-    return {"parallel_read_safe": False, "parallel_write_safe": True}
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -141,6 +141,10 @@ def _purge(app: Sphinx, env: BuildEnvironment, page: str) -> None:
     _all(env).pop(page, None)
 
 
+def _merge(app: Sphinx, env: BuildEnvironment, pages: Sequence[str], other: BuildEnvironment) -> None:
+    _all(env).update({page: found for page, found in _all(other).items() if page in pages})
+
+
 def _write_again(app: Sphinx, env: BuildEnvironment) -> list[str]:
     """Write the pages that give minutes again when these have changed."""
     now = {name: (rounded([found]), rounded([found], True)) for name, found in _all(env).items()}
@@ -160,7 +164,8 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     """Add the role, and connect the functions above."""
     app.add_role("minutes", MinutesRole())
     app.connect("env-purge-doc", _purge)
+    app.connect("env-merge-info", _merge)
     app.connect("doctree-read", _measure)
     app.connect("env-updated", _write_again)
     app.connect("doctree-resolved", _fill_in)
-    return {"parallel_read_safe": False, "parallel_write_safe": True}
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
