@@ -335,6 +335,19 @@ def test_a_node_may_have_a_handler_of_its_own(write: Write) -> None:
     assert (run.console, run.status) == ("own\n", 0)
 
 
+def test_ctrl_c_kills_a_node_without_a_handle(write: Write) -> None:
+    """As run on Debian's roscpp: its handler is set by the first one (source: init.cpp, ``start``)."""
+    body = """\
+  ros::init(argc, argv, "node");
+  ros::Time::init();
+  while (ros::ok())
+    ros::WallDuration(0.1).sleep();
+  std::puts("left");
+"""
+    run = simulate(write(main(body), "node.cpp"), 1.0)
+    assert (run.console, run.status) == ("", 128 + signal.SIGINT)
+
+
 def test_a_node_ends_with_its_last_handle(write: Write) -> None:
     """As run on Debian's roscpp."""
     body = """\

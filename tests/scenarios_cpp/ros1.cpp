@@ -2,6 +2,7 @@
 // the nearest tenth; what a scenario does happens at times that are far from each other.
 
 #include <boost/bind.hpp>
+#include <csignal>
 #include <geometry_msgs/Twist.h>
 #include <ros/callback_queue.h>
 #include <ros/file_log.h>
@@ -86,6 +87,9 @@ void slow(ros::NodeHandle& nh, unsigned queue_size)
   ros::Timer timer = nh.createTimer(ros::Duration(1.0), [](const ros::TimerEvent&) { say("beside"); });
   ros::spin();
 }
+
+void (*at_init)(int);
+void interrupted(int) {}
 
 Scenarios scenarios()
 {
@@ -620,8 +624,19 @@ Scenarios scenarios()
     one.data = "text";
     say(shown(one == two) + shown(one.data.empty()));
   };
+  // main has set its own handler after ros::init.
+  all["handler_of_ctrl_c"] = [](NodeHandle&)
+  {
+    say(at_init == SIG_DFL ? "none after init" : "one after init");
+    say(std::signal(SIGINT, interrupted) == interrupted ? "kept by the first handle" : "replaced by the first handle");
+    NodeHandle other;
+    say(std::signal(SIGINT, SIG_DFL) == interrupted ? "kept by the second" : "replaced by the second");
+  };
   return all;
 }
 }  // namespace
 
-int main(int argc, char** argv) { return run(argc, argv); }
+int main(int argc, char** argv)
+{
+  return run(argc, argv, [] { at_init = std::signal(SIGINT, interrupted); });
+}

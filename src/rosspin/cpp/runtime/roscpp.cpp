@@ -11,7 +11,8 @@ namespace
 {
 struct Node
 {
-  bool initialized = false, started = false, ok = false, shutting_down = false, logs = true, has_rosout = true;
+  bool initialized = false, started = false, ok = false, shutting_down = false, logs = true, has_rosout = true,
+       handles_interrupt = true;
   std::string name, space;
   M_string remappings;
   int handles = 0;
@@ -413,8 +414,7 @@ void initialize(M_string remappings, const std::string& name, std::uint32_t opti
   self.has_rosout = !(options & init_options::NoRosout);
   rosspin::ask("init", {self.name, parameters, self.has_rosout});
   rosspin::on_event = received;
-  if (!(options & init_options::NoSigintHandler))
-    std::signal(SIGINT, at_interrupt);
+  self.handles_interrupt = !(options & init_options::NoSigintHandler);
 }
 }  // namespace
 
@@ -486,6 +486,8 @@ void start()
     return;
   self.started = self.ok = self.time = true;
   self.shutting_down = false;
+  if (self.handles_interrupt)
+    std::signal(SIGINT, at_interrupt);
   follow_clock();
 }
 
