@@ -145,6 +145,13 @@ def test_a_scenario_gives_what_rclcpp_would(file: str, name: str) -> None:
     assert compared(run.console, run.status) == SCENARIOS[file][name]
 
 
+def test_timers_follow_jumps_as_those_of_rclpy() -> None:
+    """What that did on a real ROS was recorded: both leave it to rcl."""
+    real = (ROOT / "tests/scenarios_ros2/recorded/sim_time_jumps.txt").read_text(encoding="utf-8").splitlines()
+    ours = [line.partition(" ")[2] for line in SCENARIOS["ros2_topics"]["sim_time_jumps"].splitlines()]
+    assert ours[:-1] == [line.removesuffix(".0") for line in real[1:]]
+
+
 def test_what_is_approximate_is_as_in_ros_1() -> None:
     """There it was recorded. Only the warnings are other ones."""
     real = recorded("ros1_filters.txt")

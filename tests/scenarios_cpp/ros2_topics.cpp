@@ -31,6 +31,15 @@ void show(const UInt32& message) { say(std::to_string(message.data)); }
 
 void hear(UInt32::UniquePtr message) { say("unique " + std::to_string(message->data)); }
 
+// Tell the time on /clock, and let it be heard.
+void tell_time(rclcpp::Publisher<rosgraph_msgs::msg::Clock>& publisher, double seconds)
+{
+  rosgraph_msgs::msg::Clock message;
+  message.clock = rclcpp::Time(static_cast<std::int64_t>(seconds * 1e9));
+  publisher.publish(message);
+  work(50ms);
+}
+
 std::map<std::string, Scenario> scenarios()
 {
   std::map<std::string, Scenario> all;
@@ -497,6 +506,94 @@ std::map<std::string, Scenario> scenarios()
       tell(seconds);
     node->set_parameter(rclcpp::Parameter("use_sim_time", false));
     say(shown(clock->ros_time_is_active()) + shown(node->now().seconds() > 90));
+  };
+
+  // As in scenarios_ros2/sim_time_jumps.py.
+  all["sim_time_jumps"] = [](const Shared& teller)
+  {
+    auto publisher = teller->create_publisher<rosgraph_msgs::msg::Clock>("/clock", 10);
+    auto node =
+        std::make_shared<Node>("sim_time_jumps", rclcpp::NodeOptions().append_parameter_override("use_sim_time", true));
+    auto timer = node->create_timer(1s, [&] { say("tick " + shown(node->now().seconds())); });
+    for (double second : {100.0, 100.5, 101.0, 101.5, 102.0, 107.5, 108.0, 109.0, 50.0, 50.5, 51.0, 51.5, 52.0})
+    {
+      tell_time(*publisher, second);
+      for (int each = 0; each < 4; each++)
+        rclcpp::spin_some(node);
+      say("told " + shown(second));
+    }
+  };
+  // As in scenarios_ros2/clock_jump_callbacks_sim_time.py.
+  all["sim_time_jump_callbacks"] = [](const Shared& other)
+  {
+    auto publisher = other->create_publisher<rosgraph_msgs::msg::Clock>("/clock", 10);
+    auto node = std::make_shared<Node>("clock_jumps_sim_time");
+    auto clock = node->get_clock();
+    auto handler = clock->create_jump_callback([] { say("before"); },
+        [&](const rcl_time_jump_t& jump)
+        { say("after " + shown(jump.clock_change) + " " + shown(jump.delta.nanoseconds) + " " + shown(clock->ros_time_is_active())); },
+        {true, {2'000'000'000}, {-1}});
+    for (bool value : {true, false, true})
+    {
+      say("use_sim_time " + shown(value));
+      node->set_parameter(rclcpp::Parameter("use_sim_time", value));
+      for (double second : {10.0, 11.0, 13.0, 12.0, 20.0})
+        if (value)
+        {
+          say("clock " + shown(second));
+          tell_time(*publisher, second);
+        }
+    }
+  };
+  all["jump_thresholds"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<rosgraph_msgs::msg::Clock>("/clock", 10);
+    auto clock = node->get_clock();
+    std::vector<rclcpp::JumpHandler::SharedPtr> handlers;
+    auto watch = [&](const std::string& name, const rcl_jump_threshold_t& threshold)
+    {
+      auto say_after = [name](const rcl_time_jump_t& jump) { say(name + " " + shown(jump.delta.nanoseconds / 1e9)); };
+      attempt([&] { handlers.push_back(clock->create_jump_callback(nullptr, say_after, threshold)); });
+    };
+    watch("none", {false, {0}, {0}});
+    watch("forward", {false, {1'000'000'000}, {0}});
+    watch("backward", {false, {0}, {-1'000'000'000}});
+    watch("change", {true, {0}, {0}});
+    watch("wrong", {true, {-1}, {0}});
+    watch("wrong", {true, {0}, {1}});
+    node->set_parameter(rclcpp::Parameter("use_sim_time", true));
+    for (double second : {5.0, 5.5, 6.5, 6.0, 5.0, 5.0})
+      tell_time(*publisher, second);
+    handlers.pop_back();
+    node->set_parameter(rclcpp::Parameter("use_sim_time", false));
+  };
+  // What is left of a period is what has gone by of it in the other time: next - now becomes now - last.
+  all["timer_switches"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<rosgraph_msgs::msg::Clock>("/clock", 10);
+    auto timer = node->create_timer(800ms, [] { say("tick"); });
+    auto left = [&]
+    { say("left " + shown(std::chrono::duration_cast<std::chrono::milliseconds>(timer->time_until_trigger()).count())); };
+    auto follow = [&](bool follows)
+    {
+      node->set_parameter(rclcpp::Parameter("use_sim_time", follows));
+      left();
+    };
+    work(300ms);
+    left();
+    follow(true);
+    tell_time(*publisher, 10.0);
+    left();
+    tell_time(*publisher, 10.5);
+    left();
+    follow(false);
+    rclcpp::spin_some(node);
+    work(200ms);
+    rclcpp::spin_some(node);
+    follow(true);
+    tell_time(*publisher, 11.3);
+    rclcpp::spin_some(node);
+    left();
   };
 
   // --- logs and contexts ---

@@ -181,43 +181,64 @@ std::int64_t Clock::in_run(std::int64_t ns) const
   return type_ == RCL_STEADY_TIME ? ns : ns - rosspin::detail::ahead();
 }
 
-void Clock::jump(rcl_clock_change_t change, std::int64_t ns, bool active)
+// Source: rcl/time.c, rcl_clock_call_callbacks. A threshold of 0 is none.
+void Clock::tell(const rcl_time_jump_t& jump, bool before)
 {
-  rcl_time_jump_t jump{change, {ns - (active_ ? ros_ : rosspin::system_now())}};
-  std::vector<JumpHandler::SharedPtr> told;
-  for (const auto& each : handlers_)
+  std::int64_t delta = jump.delta.nanoseconds;
+  for (const auto& each : std::vector<std::weak_ptr<JumpHandler>>(handlers_))
     if (auto handler = each.lock())
     {
       const auto& notice = handler->notice_threshold;
-      if (change == RCL_ROS_TIME_NO_CHANGE
-              ? (notice.min_forward.nanoseconds && jump.delta.nanoseconds >= notice.min_forward.nanoseconds) ||
-                    (notice.min_backward.nanoseconds && jump.delta.nanoseconds <= notice.min_backward.nanoseconds)
-              : notice.on_clock_change)
-        told.push_back(handler);
+      std::int64_t forward = notice.min_forward.nanoseconds, backward = notice.min_backward.nanoseconds;
+      if (!(jump.clock_change != RCL_ROS_TIME_NO_CHANGE && notice.on_clock_change) &&
+          !(forward && delta >= forward) && !(backward && delta <= backward))
+        continue;
+      if (before && handler->pre_callback)
+        handler->pre_callback();
+      if (!before && handler->post_callback)
+        handler->post_callback(jump);
     }
-  for (const auto& handler : told)
-    if (handler->pre_callback)
-      handler->pre_callback();
-  ros_ = ns;
-  active_ = active;
-  for (const auto& handler : told)
-    if (handler->post_callback)
-      handler->post_callback(jump);
 }
 
 void Clock::follow(bool active)
 {
   if (active == active_ || type_ != RCL_ROS_TIME)
     return;
+  rcl_time_jump_t jump{active ? RCL_ROS_TIME_ACTIVATED : RCL_ROS_TIME_DEACTIVATED, {0}};
+  tell(jump, true);
+  for (TimerBase* timer : timers)
+    timer->before_switch();
   switched_ = true;
-  jump(active ? RCL_ROS_TIME_ACTIVATED : RCL_ROS_TIME_DEACTIVATED, active ? 0 : rosspin::system_now(), active);
+  active_ = active;
+  for (TimerBase* timer : timers)
+    timer->after_switch();
+  tell(jump, false);
+  rosspin::stir();
 }
 
-void Clock::set(std::int64_t ns) { jump(RCL_ROS_TIME_NO_CHANGE, ns, true); }
+void Clock::set(std::int64_t ns)
+{
+  rcl_time_jump_t jump{RCL_ROS_TIME_NO_CHANGE, {ns - ros_}};
+  if (active_)
+    tell(jump, true);
+  ros_ = ns;
+  if (!active_ || !jump.delta.nanoseconds)
+    return;
+  for (TimerBase* timer : timers)
+    timer->after_jump();
+  tell(jump, false);
+  rosspin::stir();
+}
 
 JumpHandler::SharedPtr Clock::create_jump_callback(
     JumpHandler::pre_callback_t before, JumpHandler::post_callback_t after, const rcl_jump_threshold_t& threshold)
 {
+  if (threshold.min_forward.nanoseconds < 0)
+    throw exceptions::RCLInvalidArgument(
+        "Failed to add time jump callback: forward jump threshold must be positive or zero");
+  if (threshold.min_backward.nanoseconds > 0)
+    throw exceptions::RCLInvalidArgument(
+        "Failed to add time jump callback: backward jump threshold must be negative or zero");
   auto handler = std::make_shared<JumpHandler>(JumpHandler{std::move(before), std::move(after), threshold});
   handlers_.push_back(handler);
   return handler;
@@ -756,7 +777,16 @@ TimerBase::TimerBase(Clock::SharedPtr clock, std::chrono::nanoseconds period, Co
   if (!context)
     context = contexts::get_global_default_context();
   context->check("Couldn't initialize rcl timer handle");
-  next_ = later(clock_->ns(), period_);
+  last_ = clock_->ns();
+  next_ = later(last_, period_);
+  if (clock_->get_clock_type() == RCL_ROS_TIME)
+    clock_->timers.push_back(this);
+}
+
+TimerBase::~TimerBase()
+{
+  auto& all = clock_->timers;
+  all.erase(std::remove(all.begin(), all.end(), this), all.end());
 }
 
 void TimerBase::reset()
@@ -773,11 +803,38 @@ std::chrono::nanoseconds TimerBase::time_until_trigger() const
   return cancelled_ ? std::chrono::nanoseconds::max() : std::chrono::nanoseconds(next_ - clock_->ns());
 }
 
+// Source: _rcl_timer_time_jump. A time of 0 is not told yet; only in a run may the system's be 0, too.
+void TimerBase::before_switch()
+{
+  if (std::int64_t now = clock_->ns(); now || !clock_->ros_time_is_active())
+    left_of_period_ = next_ - now;
+}
+
+void TimerBase::after_switch()
+{
+  std::int64_t now = clock_->ns();
+  if (!left_of_period_ || !(now || !clock_->ros_time_is_active()))
+    return;
+  last_ = now - *left_of_period_;
+  next_ = last_ < 0 ? last_ + period_ : later(last_, period_);
+  left_of_period_.reset();
+}
+
+void TimerBase::after_jump()
+{
+  std::int64_t now = clock_->ns();
+  if (next_ <= now || now >= last_)
+    return;
+  last_ = now;
+  next_ = later(now, period_);
+}
+
 // When a call begins, the next one is due one period after this one was. If that has passed, it is due at the next place
 // on the grid (source: rcl_timer_call).
 TimerInfo TimerBase::begin_call(std::int64_t now)
 {
   std::int64_t expected = next_;
+  last_ = now;
   next_ = later(next_, period_);
   if (period_ < least_period)
     next_ = now + least_call;
@@ -1061,17 +1118,25 @@ std::int64_t ClientBase::send(const std::string& bytes)
 
 namespace detail
 {
+// Source: time_source.cpp. The clock begins with the time that was told last, and 0 is what it tells when it is followed no
+// more.
 void TimeSource::follow(bool active)
 {
+  if (active == bool(subscription_))
+    return;
   clock_->follow(active);
+  clock_->set(active ? *last_ : 0);
   subscription_.reset();
   if (!active)
     return;
   // Its messages are taken as they come, whoever spins: rclcpp has a thread for that.
-  auto clock = clock_;
-  subscription_ = std::make_shared<Subscription<rosgraph_msgs::msg::Clock>>(node_, "/clock", qos_,
-      [clock](const rosgraph_msgs::msg::Clock& message) { clock->set(Time(message.clock).nanoseconds()); },
-      SubscriptionOptionsBase());
+  auto take = [clock = clock_, last = last_](const rosgraph_msgs::msg::Clock& message)
+  {
+    *last = Time(message.clock).nanoseconds();
+    clock->set(*last);
+  };
+  subscription_ = std::make_shared<Subscription<rosgraph_msgs::msg::Clock>>(
+      node_, "/clock", qos_, take, SubscriptionOptionsBase());
   subscription_->take_immediately();
 }
 }  // namespace detail

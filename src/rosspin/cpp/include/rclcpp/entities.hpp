@@ -149,6 +149,7 @@ class TimerBase : public detail::Callable, public rosspin::Ticking
 public:
   RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(TimerBase)
   TimerBase(Clock::SharedPtr clock, std::chrono::nanoseconds period, Context::SharedPtr context, bool autostart = true);
+  ~TimerBase() override;
   RCLCPP_DISABLE_COPY(TimerBase)
   void cancel() { cancelled_ = true; }
   bool is_canceled() const { return cancelled_; }
@@ -171,6 +172,10 @@ public:
   void call_back(std::int64_t now);
   std::vector<std::pair<std::int64_t, std::int64_t>> coming() const override;
   const Clock& clock() const { return *clock_; }
+  // ROS time switches to another source, or jumps.
+  void before_switch();
+  void after_switch();
+  void after_jump();
 
 protected:
   std::function<void(const TimerInfo&)> callback_;
@@ -180,7 +185,8 @@ private:
   TimerInfo begin_call(std::int64_t now);
   void make_call(const TimerInfo& info);
   Clock::SharedPtr clock_;
-  std::int64_t next_;
+  std::int64_t next_, last_;
+  std::optional<std::int64_t> left_of_period_;  // while the source switches
   bool cancelled_;
   std::function<void(std::size_t)> on_reset_;
 };

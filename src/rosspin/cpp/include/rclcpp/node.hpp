@@ -209,6 +209,7 @@ private:
   Clock::SharedPtr clock_;
   QoS qos_;
   std::shared_ptr<SubscriptionBase> subscription_;
+  std::shared_ptr<std::int64_t> last_ = std::make_shared<std::int64_t>(0);  // what /clock has told (ns)
 };
 
 std::chrono::nanoseconds checked_period(long double ns);

@@ -157,6 +157,7 @@ private:
 inline Time operator+(const Duration& by, const Time& time) { return time + by; }
 
 class Context;
+class TimerBase;
 namespace contexts
 {
 std::shared_ptr<Context> get_global_default_context();
@@ -203,9 +204,11 @@ public:
   // Let it follow /clock, or set the time that it follows.
   void follow(bool active);
   void set(std::int64_t ns);
+  std::vector<TimerBase*> timers;  // that go by it, if it is ROS's
 
 private:
-  void jump(rcl_clock_change_t change, std::int64_t ns, bool active);
+  // Tell those who want to know it of a jump, before it or after it.
+  void tell(const rcl_time_jump_t& jump, bool before);
   rcl_clock_type_t type_;
   bool active_ = false, cancelled_ = false, switched_ = false;
   std::int64_t ros_ = 0;
