@@ -287,6 +287,7 @@ export class Cell {
     this.#end()
     this.#clear(false)
     this.#follow(/** @type {string} */ (this.#kept.bringBack?.()))
+    if (this.earlier.hidden) this.reset.focus()
   }
 
   /**

@@ -65,6 +65,9 @@ export class Kept {
 
   unkept = ""
 
+  /** @type {string | null} */
+  #before = null // the last reset, until the page is left
+
   /**
    * @param {string} place of the listing: its page, and its number there
    * @param {string} original
@@ -83,6 +86,16 @@ export class Kept {
     return this.text === null ? "" : "as you edited it"
   }
 
+  get hasEarlier() {
+    return this.text === null && this.#before !== null
+  }
+
+  /** Bring back what was there before the reset. What there is to say of it. */
+  bringBack() {
+    this.write(this.#before)
+    return this.said
+  }
+
   /**
    * Keep what the reader has written, or with null that the listing was reset. Whether `unkept` is another now.
    *
@@ -90,6 +103,7 @@ export class Kept {
    */
   write(text) {
     const { unkept } = this
+    if (text === null) this.#before = this.text ?? this.#before
     this.text = text
     try {
       if (text === null) localStorage.removeItem(this.#key)

@@ -20,7 +20,8 @@ pytestmark = pytest.mark.shares(10)
 
 
 def test_edit(tutorial: Page, address: str) -> None:
-    """The reader changes 0.5 to 0.1. The edit survives a reload, Copy copies it, Reset brings the original back."""
+    """The reader changes 0.5 to 0.1. The edit survives a reload, Copy copies it, Reset brings the original back, and
+    what was reset can be had again."""
     cell = Cell(tutorial, TIMER)
     original = (EXAMPLES / LISTINGS[TIMER]).read_text(encoding="utf-8")
     edited = original.replace("0.5", "0.1")
@@ -43,6 +44,11 @@ def test_edit(tutorial: Page, address: str) -> None:
     cell.button("Reset").click()
     assert cell.element.locator("pre").first.text_content() == original
     expect(cell.element.locator("pre .k").first).to_be_visible()
+    cell.button("Restore earlier version").click()
+    assert cell.element.locator("pre").first.text_content() == edited
+    expect(cell.button("Restore earlier version")).to_be_hidden()
+    cell.button("Reset").press("Enter")  # which has the focus
+    assert cell.element.locator("pre").first.text_content() == original
     open_tutorial(tutorial, address)
     assert cell.element.locator("pre").first.text_content() == original
 
