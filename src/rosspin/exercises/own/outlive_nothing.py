@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from .. import judges as by
 from ..feedback import Finding
+from ..judging import Answer
 from ..seen import Seen
 
 TITLE = "A lambda that outlives its node"
@@ -73,19 +76,26 @@ HINT = "The lambda is called after the object is gone whose `this` it has captur
 _MOST = 1000
 
 
-def _counts(seen: Seen, when: str) -> Finding | None:
-    """Whether the counters come on time; what comes from memory that is someone else's is no counter."""
+def _no_counter(seen: Seen) -> Finding | None:
+    """Whether what is printed comes from memory that is something else's now."""
     found = seen.counters()
     number = by.as_whole(found[0].text) if found else None
-    if number is not None and number > _MOST:
-        text = f"where counter 1 was due, counter {number} came: what is printed is no counter."
-        return Finding(False, text, "Where the counter was, there is something else now. " + HINT)
-    return by.ticks(0.5, hint=_KEPT)(seen, when)
+    if number is None or number <= _MOST:
+        return None
+    text = f"where counter 1 was due, counter {number} came: what is printed is no counter."
+    return Finding(False, text, "Where the counter was, there is something else now. " + HINT)
 
 
 _KEPT = "The timer has to be kept as well: it ends with the last pointer to it."
 
-check = by.run(3.0, _counts)
+
+def check(answer: Answer) -> Iterator[Finding]:
+    """Check what it prints first: a program that counts in something else's memory may end in any way."""
+    if finding := _no_counter(answer.run(3.0, allowed="used memory")):
+        yield finding
+    else:
+        yield from by.run(3.0, by.ticks(0.5, hint=_KEPT))(answer)
+
 
 SOLUTION = {
     "rclcpp::TimerBase::SharedPtr start(": "std::unique_ptr<SpinnerCppNode> start(",
