@@ -134,8 +134,8 @@ def test_pages_with_cpp_nodes_are_read_last_and_compiled_meanwhile(monkeypatch: 
     env: Any = SimpleNamespace(doc2path=lambda page: ROOT / f"{page}.{names[page]}")
     pages = list(names)
     _begin(app, env, pages)
-    assert pages == ["notebooks/drift", "docs/tutorial-timer", "notebooks/timer"]
-    assert started == [(build_together, [NODE.name, "2_callback.cpp", "cell"]), (pack, ROOT)]
+    assert pages == ["notebooks/drift", "notebooks/timer", "docs/tutorial-timer"]
+    assert started == [(build_together, ["cell", NODE.name, "2_callback.cpp"]), (pack, ROOT)]
     _begin(app, env, ["notebooks/drift"])
     assert len(started) == 2
     app.builder.format = ""  # the builder doctest has no pages

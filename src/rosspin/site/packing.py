@@ -16,11 +16,10 @@ __all__ = ["pack", "publish"]
 
 
 def pack(root: Path) -> None:
-    """Pack what is there before any node is compiled, for the site in this folder, while all else goes first."""
+    """Pack it for the site in this folder while all else goes first, the stand-ins last, which have to be compiled."""
     os.nice(10)
-    for part in compiler():
-        if not part.ros:
-            _pack(part, root)
+    for part in sorted(compiler(), key=lambda part: part.ros):
+        _pack(part, root)
 
 
 def _pack(part: Part, root: Path) -> bytes:
