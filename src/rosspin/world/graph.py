@@ -107,7 +107,7 @@ Published = tuple[str, str, int, Callable[[], Any]]
 _FIELDS = 5  # of a tick in a TickLog
 
 # Ticks as a program has written them: of each, in 32 bytes, the number of its source, and its own (int32), when it was
-# expected, when it came, and how long it took, -1 if it has not ended (int64). The names are those of the sources.
+# expected, when it came, and how long it took, -1 if it has not ended (int64). The names are the sources'.
 Records = tuple[bytes, Sequence[str]]
 
 _RECORD = 32  # bytes
