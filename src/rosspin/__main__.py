@@ -38,7 +38,7 @@ from .run.host import Result, duration
 from .run.kinds import language_of
 from .run.process import leave
 from .run.roslaunch.launch import read_launch
-from .run.simulate import prepare, run_in_order, run_node, run_nodes, several, with_jitter
+from .run.simulate import prepare, run_in_order, run_node, run_nodes, several, tell_uncalled, with_jitter
 from .run.source import is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
 from .world.graph import TickLog
 
@@ -294,6 +294,9 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     if faults:
         sys.stdout.flush()
         print(f"rosspin: {describe_faults(faults)}", file=sys.stderr)
+    if options.simulated and isinstance(result, Result):
+        sys.stdout.flush()
+        tell_uncalled(result, options.seconds, sys.stderr)
     if options.plot is not None:
         sys.stdout.flush()
         if options.schedule is None:

@@ -44,7 +44,7 @@ from .results.pinned import as_test
 from .results.ticks import Tick
 from .run.alone import ON_A_COMPUTER, refuse_processes
 from .run.beside import run_beside
-from .run.explain import TimeStandsStill, say_error
+from .run.explain import TimeStandsStill, say_error, say_uncalled
 from .run.host import Result
 from .run.kinds import ROS, Ros, language_of
 from .run.kinds.cpp import Cpp
@@ -445,15 +445,15 @@ def _launch(
 def _shown(result: Result, seconds: float, args: Sequence[str], pacer: _Pacer, printed: _Printed) -> dict[str, Any]:
     errors = [error for process in result.host.processes for error in process.world.errors]
     hints = [_hint(error) for error in errors]
-    ended_early = result.status == 0 and pacer.simulation.now() < seconds * NS
+    ended_early = pacer.simulation.now() < seconds * NS
     first = next(iter(result.host.processes), None)  # a launch file may start none
     ros = ROS.get(first.world.ros) if first else None
-    if first and first.node.source is not None and ros and ended_early and not result.ticks and first.world.has_sources:
-        hints.append(f"The node had a timer, which was never called. Is {ros.words.spins} missing at its end?")
+    hints += say_uncalled(result.host.processes, ended_early)
     if ros and ros.flag and ros.flag not in args and any(_FOR_ROS.match(word) for word in args):
         like = " ".join(ros.settings("-p", ["frequency:=5.0"]))
         hints.append(f"In ROS {ros.number}, what is for ROS follows {ros.flag}, as in: {like}")
-    for hint in dict.fromkeys(filter(None, hints)):
+    hints = [*dict.fromkeys(filter(None, hints))]
+    for hint in hints:
         print(hint, file=sys.stderr)
     groups = by_source(result.ticks)
     recording = result.host.recording
@@ -464,6 +464,7 @@ def _shown(result: Result, seconds: float, args: Sequence[str], pacer: _Pacer, p
         "status": result.status,
         "errors": len(errors),
         "count": len(result.ticks),
+        "hints": len(hints),
         "ticks": [[_name(tick.source), *tick[1:4], tick.duration if tick.duration >= 0 else 0] for tick in shown],
         "lost": [[_name(source), round(time, 6)] for source, times in lost.items() for time in times if time >= since][
             -_MOST_TICKS:

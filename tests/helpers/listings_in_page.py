@@ -111,6 +111,7 @@ def link(**changed: Any) -> str:
 # What the page adds at the end, for a reader who does not know what the error means.
 HINTS = (
     "The node had a timer, which was never called",
+    "Nothing spun the node",
     "The timer that wakes this Rate was due",
     "A timer passes its callback no",
     "The period of a timer",

@@ -22,7 +22,14 @@ CASES = [
     (node("rospy.MasterProxy"), 1, 0, "node.py:4: rospy.MasterProxy is not simulated; run this node on a real ROS"),
     (node2("import rosbag2_py"), 1, 0, "On a computer with ROS 2, run: python -m rosspin run --ros2 FILE"),
     (node2("from control_srvs.srv import Empty"), 1, 0, "control_srvs is not simulated"),
-    (node2("node.create_timer(0.5, print)"), 0, 0, "never called. Is rclpy.spin(node) missing"),
+    (node("rospy.Timer(rospy.Duration(0.5), print)"), 0, 0, "never called. Is rospy.spin() missing at its end?"),
+    (node2("node.create_timer(0.5, print)"), 0, 0, "Nothing spun the node, so none of its timers"),
+    (
+        node2("from std_msgs.msg import String\nnode.create_subscription(String, 'text', print, 10)"),
+        0,
+        0,
+        "services called back. Is rclpy.spin(node) missing at its end?",
+    ),
     (
         node2("node.create_timer(0.5, lambda event: 1)\nrclpy.spin(node)"),
         1,

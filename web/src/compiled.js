@@ -109,4 +109,4 @@ async function compileFor({ source, filename, ros }, hear) {
 }
 
 /** What comes of a node that does not compile. */
-const NOTHING = /** @type {const} */ ({ status: 1, errors: 0, count: 0, end: 0, alternative: "", scenes: null })
+const NOTHING = /** @type {const} */ ({ status: 1, errors: 0, count: 0, hints: 0, end: 0, alternative: "", scenes: null })

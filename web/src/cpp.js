@@ -127,7 +127,7 @@ class Shown {
  * @returns {Promise<import("./protocol.js").RunResult>}
  */
 async function run({ bytes, ros, filename, seconds, args, speed }, page) {
-  const failed = { status: 1, errors: 0, count: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null, drive: [] }
+  const failed = { status: 1, errors: 0, count: 0, hints: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null, drive: [] }
   const shown = new Shown(page, speed)
   let words
   try {
@@ -140,7 +140,8 @@ async function run({ bytes, ros, filename, seconds, args, speed }, page) {
   const module = new WebAssembly.Module(/** @type {ArrayBuffer} */ (bytes))
   const node = new Alone(module, { ros, name: filename, words, seconds, seed, paced: speed > 0 }, shown)
   shown.node = node
-  const { status, end } = await node.run()
+  const { status, end, hints } = await node.run()
+  for (const hint of hints) page.print(`${hint}\n`, true, 0)
   const all = node.ticks.map(([source, number, expected, real, duration]) =>
     /** @type {import("./protocol.js").Tick} */ ([source.slice(0, NAME), number, expected, real, Math.max(duration, 0)]))
   const ticks = all.slice(-SHOWN.ticks)
@@ -155,6 +156,7 @@ async function run({ bytes, ros, filename, seconds, args, speed }, page) {
     ...failed,
     status,
     count: all.length,
+    hints: hints.length,
     ticks,
     lost: groups
       .flatMap(({ source, gone }) => gone.map((time) => /** @type {import("./protocol.js").Lost} */ ([source, Number(time.toFixed(6))])))

@@ -16,14 +16,15 @@ const BY_CTRL_C = 130
  * @param {import("./runs.js").Text} job
  * @param {string | null} whole
  */
-export function outcome({ status, errors, count, ticks, drive }, { source, filename, seconds, args, beside, launch, ros }, whole) {
+export function outcome({ status, errors, count, ticks, drive, hints }, { source, filename, seconds, args, beside, launch, ros }, whole) {
   const isAlone = !launch && !beside.length && !drive.length
   const isWhole = whole !== null && whole.length <= LONGEST && count === ticks.length
-  const pinned = isAlone && isWhole && !status && !errors ? { source, filename, seconds, args, console: whole, ticks } : null
+  const pinned = isAlone && isWhole && !status && !errors && !hints ? { source, filename, seconds, args, console: whole, ticks } : null
   const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
   let said = `done${ticked}`
   if (status === BY_CTRL_C) said += `, ended by Ctrl-C${ros ? "" : " with a traceback"}`
   else if (status) said = SEE_CONSOLE
   else if (errors) said = `done, but with an ${SEE_CONSOLE}`
+  else if (hints) said += "; see the console"
   return { said, pinned }
 }

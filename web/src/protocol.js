@@ -31,7 +31,8 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {[source: string, number: number, expected: number, real: number, duration: number]} Tick
  * @typedef {[source: string, time: number]} Lost when (s) a tick was due that never came
  * @typedef {{status: number, errors: number, count: number, ticks: Tick[], lost: Lost[], chunks: number[][],
- *   end: number, alternative: string, scenes: Scenes | null, drive: Drive}} RunResult
+ *   end: number, alternative: string, scenes: Scenes | null, drive: Drive, hints: number}} RunResult hints: how many lines of
+ *   the console are for the reader, of what became of the run
  * @typedef {string[]} Drive what is drawn of a vehicle: see rosspin/vehicle/drawn.py; nothing if there was none
  * @typedef {[thread: number, callback: number, line: number]} Where a thread is; callback -1: in none; line 0: in none
  * @typedef {[time: number, said: string, ready: number[], threads: Where[], how: string[]]} Step
@@ -219,11 +220,11 @@ const LOOK = object(
 
 const RUN = object(
   {
-    ...{ status: integer(-FAR, FAR), errors: integer(), count: integer() },
+    ...{ status: integer(-FAR, FAR), errors: integer(), count: integer(), hints: integer() },
     ...{ ticks: TICKS, lost: LOST, chunks: list(list(integer(), 1000), SHOWN.ticks) },
     ...{ end: LENGTH, alternative: TEXT, scenes: (value) => value === null || isScenes(value), drive: DRIVE },
   },
-  { errors: 0, count: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null, drive: [] },
+  { errors: 0, count: 0, hints: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null, drive: [] },
 )
 
 const JUDGE = object(

@@ -8,7 +8,7 @@ import { read } from "../src/protocol.js"
 
 const BATCH = { kind: "batch", chunks: [[false, "a\n", 0, 0]], leftOut: 0, ticks: [["timer", 1, 0.5, 0.5, 0]] }
 const RUN = {
-  status: 0, errors: 0, count: 1, ticks: [["t", 1, 0.5, 0.5, 0]], lost: [["t", 1]], chunks: [[0]], end: 1, alternative: "a", scenes: null, drive: [],
+  status: 0, errors: 0, count: 1, hints: 0, ticks: [["t", 1, 0.5, 0.5, 0]], lost: [["t", 1]], chunks: [[0]], end: 1, alternative: "a", scenes: null, drive: [],
 }
 const SCENES = {
   threads: ["MainThread"],
@@ -51,7 +51,7 @@ for (const [job, message] of RIGHT) {
 
 test("a run that went wrong says no more than its status", () => {
   const { result } = read('{"kind": "end", "result": {"status": 1}}', "run")
-  assert.deepEqual(result, { status: 1, errors: 0, count: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null, drive: [] })
+  assert.deepEqual(result, { status: 1, errors: 0, count: 0, hints: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null, drive: [] })
 })
 
 test("a reason is short", () => {

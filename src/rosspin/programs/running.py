@@ -71,6 +71,7 @@ class Running:
         self._events: list[tuple[int, str]] = []  # what should be given to the node: when it came, and what
         self._signals: list[int] = []
         self._sources: list[str] = []
+        self._names: list[str] = []  # of the functions that they call, or of what they are
         self._ticks = 0  # how many were told
         self._open: dict[int, int] = {}  # the places of ticks that have not ended, by their numbers
         self._came: tuple[int, str, list[Any]] = (-1, "", [])  # what it was given last, and when
@@ -111,6 +112,7 @@ class Running:
             self._trapped(batch["trap"], batch["where"])
         if "status" in batch:
             self._has_ended = True
+            self._world.waiting = batch["waiting"]
             raise SystemExit(batch["status"])
         if "asks" in batch:
             what, values = unpacked(batch["asks"])
@@ -182,6 +184,7 @@ class Running:
             self._streams[number].write(text.encode("latin-1"))
         elif what == "source":
             name, period = values
+            self._names.append(name)
             self._sources.append(self._world.source(name))
             if log is not None:
                 log.periods.setdefault(self._sources[-1], int(period))
@@ -192,11 +195,23 @@ class Running:
             name, arguments = unpacked(values[0])
             if name == "ring":
                 return  # a picture for a page that runs it alone: in words, the program has said it
-            if name != "coming":
+            if name == "lost":
+                self._world.lost = [*self._lost(arguments[0].split())]
+            elif name != "coming":
                 self._ros.take(name, arguments)
             elif log is not None and log.is_over:
                 sources = [self._sources[number] for number in arguments[::4]]
                 log.coming += zip(sources, arguments[1::4], arguments[2::4], arguments[3::4])
+
+    def _lost(self, told: list[str]) -> Iterator[str]:
+        """Yield in words what was destroyed before the node spun, and not made again; "node" is the node itself."""
+        sources = {str(source): name for source, name in enumerate(self._names)}
+        kept = {name for source, name in sources.items() if source not in told}
+        for each in told:
+            if each not in sources:
+                yield each if each == "node" else f"subscription to {each}"
+            elif (name := sources[each]) not in kept:
+                yield f"timer of {'a lambda' if name == 'lambda' else name}"
 
     def _note_ticks(self, data: bytes) -> None:
         """Record ticks, as bytes: a run may have a million."""

@@ -278,6 +278,7 @@ class Executor:
         deadline = time.monotonic_ns() + timeout if timeout > 0 else None
         if deadline is not None and not self._context.ok():
             raise invalid_context("create timer")
+        self._context._rosspin.state.world.waiting = -1
         works = False
         while not works and not self._is_shutdown and not condition():
             triggered, self._rosspin_is_triggered = self._rosspin_is_triggered, False

@@ -413,6 +413,7 @@ class Node(Parameters):
         timer = Timer(callback, group, period, clock or self._clock, context=self.context, autostart=autostart)
         timer._rosspin_nudge = self._rosspin.nudge
         self._rosspin_add(timer, self._timers)
+        self._rosspin.context.state.world.await_spin(callback is not None and autostart)
         return timer
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
@@ -493,6 +494,7 @@ class Node(Parameters):
         subscription = Subscription(end, msg_type, topic, callback, group, qos, raw, events)
         self._rosspin_expect(subscription.event_handlers)
         self._rosspin_add(subscription, self._subscriptions)
+        self._rosspin.context.state.world.await_spin()
         return subscription
 
     def _rosspin_prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, options: Any) -> tuple[str, QoSProfile]:

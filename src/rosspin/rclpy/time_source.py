@@ -56,6 +56,7 @@ class TimeSource:
             qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
             kind = import_module("rosgraph_msgs.msg").Clock
             self._clock_sub = node.create_subscription(kind, CLOCK_TOPIC, self.clock_callback, qos)
+            node._rosspin.context.state.world.await_spin(-1)  # the node itself does not wait for it
 
     def _rosspin_unsubscribe(self) -> None:
         node = self._get_node()

@@ -134,6 +134,7 @@ class Timer(Held):
     def cancel(self) -> None:
         """Call no more, until ``reset``."""
         self._rosspin_check()
+        self._clock._rosspin_state.world.await_spin(-(self.callback is not None and not self._rosspin_cancelled))
         self._rosspin_cancelled = True
 
     def reset(self) -> None:

@@ -546,6 +546,7 @@ def wait_for_message(
     end = subscription._rosspin
     end.nudge = event.set
     own.waiting[event] = None
+    own.world.waiting = -1
     until = None if time_to_wait < 0 else time.monotonic_ns() + int(float(time_to_wait) * 1e9)
     try:
         while not end.messages and node.context.ok():

@@ -100,6 +100,7 @@ class Rate:
             self._last = now
 
     def _record_pass(self, node: State) -> None:
+        node.world.waiting = -1
         ticks = node.world.recording.log
         if ticks is not None:
             if not self._source:
@@ -258,10 +259,13 @@ class Timer(threading.Thread):
             f"{caller.f_code.co_name}, which made this timer",
             lookup_line=False,
         )
+        state().world.await_spin()
         self.start()
 
     def shutdown(self) -> None:
         """Stop calling back. A timer that is asleep notices when it wakes up."""
+        if not self._shutdown:
+            state().world.await_spin(-1)
         self._shutdown = True
 
     def _rosspin_coming(self) -> list[tuple[str, int, int, int]]:
@@ -314,6 +318,7 @@ class Timer(threading.Thread):
             if set_to and node.ros_time is None:
                 real, due = real + set_to, due - set_to
             number += 1
+            world.waiting = -1
             if ticks is not None:
                 tick = ticks.add(source, number, due, in_run)
                 self._number = number

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import traceback
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from ..clocks.clock import NS
 from ..clocks.frames import Place, Whereabouts, is_installed, node_frames
@@ -16,11 +17,15 @@ from ..world.world import NotSimulated
 from .kinds import ROS, language_of, words_in
 from .source import Code
 
+if TYPE_CHECKING:
+    from .process import Process
+
 __all__ = [
     "TimeStandsStill",
     "keep_those_of",
     "say_error",
     "say_killed",
+    "say_uncalled",
     "say_where",
     "stands_still",
     "waits_for_a_rate",
@@ -113,6 +118,32 @@ def stands_still(nodes: Sequence[Code], ros: int, error: Standstill | Stuck, clo
             f"Sleep in every loop (rate.sleep(), {sleep}), and give timers and rates a period above 0."
         )
     return TimeStandsStill(f"{where}{': ' if where else ''}{now}, {why}")
+
+
+def say_uncalled(processes: Sequence[Process], ended_early: bool) -> Iterator[str]:
+    """Say why callbacks of processes that ended well, and maybe before Ctrl-C, were never called.
+
+    ``cpp/js/alone.mjs`` says the same of a node in C++ that is alone in a page.
+    """
+    for process in processes:
+        world = process.world
+        if world.exit_status or world.errors:
+            continue
+        for what in dict.fromkeys(world.lost):
+            if what == "node":
+                lost = "last ros::NodeHandle was destroyed before ros::spin(), which has shut the node down"
+            else:
+                lost = f"{what} was destroyed before it could call back"
+            yield f"The {lost}. Keep it in a member of the class, or in main."
+        if ended_early and world.waiting > 0:
+            spins = words_in(process.node.filename, world.ros).spins
+            if ROS[world.ros].timers_are_threads and not language_of(process.node.filename):
+                yield f"The node had a timer, which was never called. Is {spins} missing at its end?"
+            else:
+                yield (
+                    "Nothing spun the node, so none of its timers, subscriptions and services called back. "
+                    f"Is {spins} missing at its end?"
+                )
 
 
 def say_error(error: Exception) -> str:

@@ -13,6 +13,7 @@ from ..clocks.explored import ExploredSimulation, Order
 from ..clocks.simulation import Simulation
 from ..results.ticks import Run
 from ..world.graph import TickLog
+from .explain import say_uncalled
 from .host import Host, Result, Supervisor, duration
 from .kinds import ROS
 from .ros2launch.launch_file import LaunchFile
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     *("Launched", "Prepared", "prepare", "run_captured", "run_in_order", "run_node", "run_nodes"),
-    *("run_prepared", "several", "simulate", "supervisor", "with_jitter"),
+    *("run_prepared", "several", "simulate", "supervisor", "tell_uncalled", "with_jitter"),
 ]
 
 Launched = launch.Launch | LaunchFile
@@ -178,8 +179,18 @@ def run_captured(
     duration(seconds)  # run_node takes None as forever
     with capture(*streams) as console:
         result = run_node(node, seconds, args, clock, TickLog(), faults=faults)
+    tell_uncalled(result, seconds, *streams[1:])
     runtime = "simulated" if isinstance(clock, Simulation) else "wall"
     return result.run(console.text(), runtime, seconds)
+
+
+def tell_uncalled(result: Result, seconds: float, *streams: TextIO) -> None:
+    """Tell a reader why callbacks were never called, if this was in simulated time."""
+    clock, start = result.host.clock, result.host.recording.start
+    if isinstance(clock, Simulation):
+        for said in say_uncalled(result.host.processes, clock.now() - start < duration(seconds)):
+            for stream in streams:
+                stream.write(f"rosspin: {said}\n")
 
 
 def run_node(

@@ -22,7 +22,7 @@ from ..exercises.own import LESSONS
 from ..plots import drive_beside, pictures
 from ..results.ticks import Run
 from ..run.beside import run_beside
-from ..run.simulate import run_captured
+from ..run.simulate import run_captured, tell_uncalled
 from ..run.source import Code, load_cell, split_words
 from ..run.streams import capture
 from ..run.wall import measured
@@ -150,6 +150,7 @@ class Magics(BaseMagics):
 def _beside_a_vehicle(node: Code, seconds: float, args: Sequence[str], *streams: TextIO) -> Run:
     with capture(*streams) as console:
         result = run_beside(node, args, [VEHICLES[node.hint or 2]], seconds, Simulation(), TickLog())
+    tell_uncalled(result, seconds, *streams[1:])
     return result.run(console.text(), "simulated", seconds)
 
 

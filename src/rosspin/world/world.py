@@ -110,6 +110,8 @@ class World(Program):
         self.waited: list[Whereabouts] = []  # where its threads were when it was killed
         self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
         self.forked: list[Any] = []  # processes of multiprocessing that it has started, but no daemons
+        self.waiting = 0  # how many callbacks wait for someone to spin, or for their first call; -1 once that has come
+        self.lost: list[str] = []  # in words, what a C++ node has destroyed before it spun: see Running
         self._sources: dict[str, int] = {}
         self._parts: dict[type, Any] = {}
 
@@ -134,10 +136,10 @@ class World(Program):
         numbered = name if count == 1 else f"{name} {count}"
         return f"{self.name} {numbered}" if self.recording.several else numbered
 
-    @property
-    def has_sources(self) -> bool:
-        """Whether there is, or was, something that could tick."""
-        return bool(self._sources)
+    def await_spin(self, more: int = 1) -> None:
+        """Note that so many more callbacks wait for someone to spin or, where no one has to, for their first call."""
+        if self.waiting >= 0:
+            self.waiting = max(self.waiting + more, 0)
 
     def acting(self) -> AbstractContextManager[None]:
         """Within this context the calling code belongs to this node, whichever node's thread it is on."""

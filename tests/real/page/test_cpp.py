@@ -272,6 +272,26 @@ def test_a_change_is_compiled_here(page: Page, address: str, tmp_path: Path) -> 
     assert not [url for url in asked if "/clang/" in url and url.endswith(".xz")]
 
 
+SPINS = {
+    "docs/tutorial.html?lang=cpp": ("  ros::spin();\n", "ros::spin()"),
+    "docs/ros2/tutorial.html?lang=cpp": ("  rclcpp::spin(spinner_cpp_node);\n", "rclcpp::spin(node)"),
+}
+
+
+@pytest.mark.parametrize("address_of_page", SPINS)
+def test_a_node_that_forgets_to_spin_is_told_so(page: Page, address: str, address_of_page: str) -> None:
+    line, spins = SPINS[address_of_page]
+    page.goto(address + address_of_page)
+    cell = Cell(page, 0, CPP)
+    text = (EXAMPLES / TIMER[address_of_page]).read_text(encoding="utf-8")
+    assert line in text
+    cell.write(text.replace(line, ""))
+    cell.run(2)
+    said = cell.ends("done; see the console", 120_000)
+    assert "\nNothing spun the node, " in said and said.endswith(f" Is {spins} missing at its end?\n")
+    expect(cell.button("Copy as test")).to_be_hidden()
+
+
 def test_a_changed_partner(page: Page, address: str) -> None:
     """It is compiled as it stands there. One that does not compile, never ends, prints without end or uses a null
     pointer harms no page."""

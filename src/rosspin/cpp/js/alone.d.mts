@@ -22,5 +22,5 @@ export class Alone {
   rings: { links: [name: string, waits: string][]; to: number }[]
   readonly hasThreads: boolean
   readonly now: bigint
-  run(): Promise<{ status: number; end: number }>
+  run(): Promise<{ status: number; end: number; hints: string[] }>
 }

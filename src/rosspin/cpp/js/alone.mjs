@@ -22,6 +22,9 @@ const TICK = 32 // bytes: see shared.mjs
 /** What each ROS says of a node that was killed: see run/kinds. */
 const KILLS = { 1: " s later, as roslaunch does. Does its loop check ros::ok()?", 2: " s later. Does its loop check rclcpp::ok()?" }
 
+/** What a node ends with that spins. */
+const SPINS = { 1: "ros::spin()", 2: "rclcpp::spin(node)" }
+
 /** What ends a run from outside. */
 class Ended extends Error {
   constructor(status) {
@@ -45,6 +48,8 @@ export class Alone extends Node {
   #going = [] // the ticks that still run, by their numbers
   #events = []
   #signals = []
+  #lost = "" // what was destroyed before the node spun: see runtime/host.cpp
+  #hints = []
   #over = false // whatever it still does is no part of the run
   #ros
   #file
@@ -52,12 +57,14 @@ export class Alone extends Node {
   #killed
   #pressed = false // Ctrl-C
   #shown
+  #spins
   #paced
   #streams = [1, 2].map(() => new TextDecoder())
 
   constructor(module, { ros, name, words, seconds, seed, paced }, shown) {
     const start = { args: [name.replace(/\.\w+$/, ""), ...words], environment: {}, start: 0, ahead: 0, seed }
     super(module, start, (batch) => this.#answer(batch), (batch) => this.#take(batch))
+    this.#spins = SPINS[ros]
     this.#ros = { 1: new Ros1(this), 2: new Ros2(this) }[ros]
     this.#file = { name, kills: `rosspin: Ctrl-C at ${seconds} s did not end the node; it was killed ${PATIENCE}${KILLS[ros]}\n` }
     this.#until = BigInt(Math.round(seconds * NS))
@@ -66,13 +73,13 @@ export class Alone extends Node {
     this.#paced = paced
   }
 
-  /** Run it to its end; a promise of its exit status, and when (s) that was. */
+  /** Run it to its end; a promise of its exit status, when (s) that was, and what a reader should know of that. */
   async run() {
     try {
       await super.run()
     } catch (error) {
       if (!(error instanceof Ended)) throw error
-      return { status: error.status, end: seconds(this.shared.now) }
+      return { status: error.status, end: seconds(this.shared.now), hints: this.#hints }
     }
   }
 
@@ -98,6 +105,7 @@ export class Alone extends Node {
       const [name, more] = unpacked(values[0])
       if (name === "coming") this.#foresee(more)
       else if (name === "ring") this.rings.push({ links: more[0], to: 0 })
+      else if (name === "lost") this.#lost = more[0]
       else this.#ros.told[name](...more)
     } else if (what === "source") {
       const [name, period] = values
@@ -119,7 +127,24 @@ export class Alone extends Node {
     }
   }
 
-  #take({ ticks, status, trap, where }) {
+  /** Why callbacks of a node that has ended were never called, in sentences: see run/explain.py. */
+  #uncalled(waiting) {
+    if (waiting > 0 && !this.#pressed) return [`Nothing spun the node, so none of its timers, subscriptions and services called back. Is ${this.#spins} missing at its end?`]
+    const lost = this.#lost.split(" ").filter(Boolean)
+    const kept = this.#names.filter((_, source) => !lost.includes(`${source}`)).map(({ base }) => base)
+    const said = lost.map((each) => {
+      const base = this.#names[each]?.base
+      if (kept.includes(base)) return "" // it was made again
+      const [what, left] =
+        each === "node"
+          ? ["last ros::NodeHandle", "ros::spin(), which has shut the node down"]
+          : [base ? `timer of ${base === "lambda" ? "a lambda" : base}` : `subscription to ${each}`, "it could call back"]
+      return `The ${what} was destroyed before ${left}. Keep it in a member of the class, or in main.`
+    })
+    return [...new Set(said)].filter(Boolean)
+  }
+
+  #take({ ticks, status, waiting, trap, where }) {
     for (let at = 0; at < (ticks?.length ?? 0); at += TICK) {
       const view = new DataView(ticks.buffer, ticks.byteOffset + at, TICK)
       const time = (place) => seconds(view.getBigInt64(place, true))
@@ -134,6 +159,7 @@ export class Alone extends Node {
       this.#say(`rosspin: ${this.#file.name}: ${trap}${place ? `, in ${place}` : ""}\n`)
       this.#finish(SEGMENTATION_FAULT)
     }
+    if (status === 0) this.#hints = this.#uncalled(waiting)
     if (status !== undefined) this.#finish(status)
   }
 

@@ -3,8 +3,9 @@
 // A batch is { log, ticks?, now, wake, asks?, status?, trap? }. `log` is what happened since the last one, in order:
 // ["out", fd, text (a character a byte)], ["source", name, period], ["end", tick, duration] of a tick that was told in an
 // earlier batch, ["tell", text]. `ticks` are bytes (see shared.mjs). Times are in ns, as text. The node waits until `wake`,
-// unless it `asks` something (text), or has ended, with a `status` or by a `trap`, in words. The host answers { now, horizon, events,
-// signals }, and `answer`: the node may run on its own as long as its time is before `horizon`.
+// unless it `asks` something (text), or has ended, by a `trap`, in words, or with a `status` and how many callbacks were still
+// `waiting` for someone to spin, -1 if someone has. The host answers { now, horizon, events, signals }, and `answer`: the node
+// may run on its own as long as its time is before `horizon`.
 
 import { functionNames } from "./names.mjs"
 import { hasThreads } from "./threads.mjs"
@@ -43,7 +44,7 @@ export class Node {
     if (hasThreads(this.module)) return this.runSuspended(false)
     let end
     try {
-      end = { status: this.program.run((...given) => this.#imports(...given)) }
+      end = this.#ended(this.program.run((...given) => this.#imports(...given)))
     } catch (error) {
       end = this.#trap(error)
     }
@@ -53,10 +54,14 @@ export class Node {
   /** Run it with threads, or beside others: what `exchange` returns are promises, then. */
   async runSuspended(isBeside) {
     const end = await this.program.runSuspended((...given) => this.#imports(...given), isBeside).then(
-      (status) => ({ status }),
+      (status) => this.#ended(status),
       (error) => this.#trap(error),
     )
     this.pass(this.#batch(end))
+  }
+
+  #ended(status) {
+    return { status, waiting: this.shared.waiting }
   }
 
   #trap(error) {

@@ -6,6 +6,7 @@ const HORIZON = 16
 const URGENT = 24
 const LOOKS = 28
 const TICKS = 32
+const WAITING = 36
 const FIRST = 40
 const TICK = 48
 
@@ -60,6 +61,11 @@ export class Shared {
 
   set looks(count) {
     this.#view.setInt32(LOOKS, count, true)
+  }
+
+  /** How many callbacks wait for someone to spin; -1: someone does, or has. */
+  get waiting() {
+    return this.#view.getInt32(WAITING, true)
   }
 
   /** Take the ticks that were not told yet, as bytes; undefined if there are none. */

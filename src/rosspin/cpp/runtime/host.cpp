@@ -214,8 +214,45 @@ void look()
 
 namespace
 {
+// What was lost, each between spaces. Never destroyed, as timers may be global.
+std::string& lost()
+{
+  static auto* all = new std::string(" ");
+  return *all;
+}
+
 Ticking* first = nullptr;  // of all of them
 }  // namespace
+
+void await_spin(int more)
+{
+  if (shared.waiting >= 0)
+    shared.waiting = std::max(0, shared.waiting + more);
+}
+
+void spins()
+{
+  if (std::exchange(shared.waiting, -1) >= 0 && lost().size() > 1)
+    tell("lost", {lost()});
+}
+
+void lose(const std::string& what)
+{
+  if (shared.waiting >= 0)
+    lost() += what + ' ';
+}
+
+void regain(const std::string& what)
+{
+  if (std::size_t at = lost().find(' ' + what + ' '); at != std::string::npos)
+    lost().erase(at, what.size() + 1);
+}
+
+void Ticking::lose() const
+{
+  if (source_ >= 0 && !count_)
+    rosspin::lose(std::to_string(source_));
+}
 
 Ticking::Ticking() : next_(std::exchange(first, this)) {}
 Ticking::Ticking(const Ticking& other) : Ticking() { *this = other; }

@@ -781,16 +781,26 @@ TimerBase::TimerBase(Clock::SharedPtr clock, std::chrono::nanoseconds period, Co
   next_ = later(last_, period_);
   if (clock_->get_clock_type() == RCL_ROS_TIME)
     clock_->timers.push_back(this);
+  rosspin::await_spin(autostart);
 }
 
 TimerBase::~TimerBase()
 {
+  if (!cancelled_)
+    lose();
   auto& all = clock_->timers;
   all.erase(std::remove(all.begin(), all.end(), this), all.end());
 }
 
+void TimerBase::cancel()
+{
+  rosspin::await_spin(-!cancelled_);
+  cancelled_ = true;
+}
+
 void TimerBase::reset()
 {
+  rosspin::await_spin(cancelled_);
   next_ = later(clock_->ns(), period_);
   cancelled_ = false;
   rosspin::stir();
@@ -1001,12 +1011,25 @@ SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface::SharedPtr
   id_ = field(answer, "id").whole;
   topic_ = field(answer, "name").string;
   all<SubscriptionBase>()[id_] = this;
+  rosspin::await_spin();
+  rosspin::regain(topic_);
 }
 
 SubscriptionBase::~SubscriptionBase()
 {
-  all<SubscriptionBase>().erase(id_);
+  auto& others = all<SubscriptionBase>();
+  others.erase(id_);
   rosspin::tell("end_subscription", {id_});
+  if (!at_once_)
+    rosspin::lose(topic_);
+  for (const auto& [id, other] : others)
+    rosspin::regain(other->topic_);
+}
+
+void SubscriptionBase::take_immediately()
+{
+  at_once_ = true;
+  rosspin::await_spin(-1);
 }
 
 std::size_t SubscriptionBase::get_publisher_count() const
@@ -1042,6 +1065,7 @@ ServiceBase::ServiceBase(
   id_ = field(answer, "id").whole;
   name_ = field(answer, "name").string;
   all<ServiceBase>()[id_] = this;
+  rosspin::await_spin();
 }
 
 ServiceBase::~ServiceBase()
@@ -1511,6 +1535,7 @@ void NodeParametersInterface::offer(const char* name, Answer answer)
   services_.push_back(
       std::make_shared<Service<S>>(node_, std::string(node_->get_name()) + "/" + name, call, ParametersQoS()));
   node_->get_default_callback_group()->add(services_.back());
+  rosspin::await_spin(-1);  // no node waits for these
 }
 
 // Source: parameter_service.cpp.
@@ -1885,6 +1910,7 @@ struct Executor::Spinning
     if (executor.spinning_)
       throw std::runtime_error(std::string(what) + "() called while already spinning");
     executor.spinning_ = true;
+    rosspin::spins();
   }
   ~Spinning()
   {
@@ -2476,6 +2502,7 @@ WaitResultKind WaitSet::wait_nanoseconds(std::chrono::nanoseconds timeout)
 {
   if (subscriptions_.empty() && guard_conditions_.empty() && timers_.empty() && clients_.empty() && services_.empty())
     return WaitResultKind::Empty;
+  rosspin::spins();
   std::int64_t end = timeout.count() < 0 ? rosspin::never : later(rosspin::now(), timeout.count()), next;
   rosspin::wait(rosspin::now());  // what has come is seen
   while ((next = look()) > rosspin::now())
@@ -2492,6 +2519,7 @@ namespace detail
 bool wait_for(const Callable& callable, const Context& context, std::int64_t timeout)
 {
   std::int64_t end = timeout < 0 ? rosspin::never : later(rosspin::now(), timeout);
+  rosspin::spins();
   rosspin::wait(rosspin::now());
   while (!callable.is_due() && context.is_valid() && rosspin::now() < end)
     rosspin::wait(end);

@@ -577,6 +577,7 @@ bool CallbackQueue::await(std::int64_t until)
 
 CallbackQueue::CallOneResult CallbackQueue::callOne(WallDuration timeout)
 {
+  rosspin::spins();
   if (!enabled_)
     return Disabled;
   if (!await(later(rosspin::detail::time(), timeout.toNSec())))
@@ -590,6 +591,7 @@ CallbackQueue::CallOneResult CallbackQueue::callOne(WallDuration timeout)
 
 void CallbackQueue::callAvailable(WallDuration timeout)
 {
+  rosspin::spins();
   if (!enabled_)
     return;
   await(later(rosspin::detail::time(), timeout.toNSec()));
@@ -711,6 +713,7 @@ void SingleThreadedSpinner::spin(CallbackQueue* queue)
   if (!queue)
     queue = getGlobalCallbackQueue();
   Spun spun(queue, true, "SingleThreadedSpinner: ");
+  rosspin::spins();
   rosspin::Ticking::leave_loops();
   while (node().ok)
     if (queue->await(rosspin::never))
@@ -842,6 +845,7 @@ void TimerImpl::start()
   if (started)
     return;
   started = true;
+  rosspin::await_spin();
   static Manager manager;
   tick_as(name_, period);
   run_ = boost::make_shared<Run>();
@@ -853,7 +857,20 @@ void TimerImpl::start()
   rosspin::stir();
 }
 
+TimerImpl::~TimerImpl()
+{
+  if (started)
+    lose();
+  end();
+}
+
 void TimerImpl::stop()
+{
+  rosspin::await_spin(-started);
+  end();
+}
+
+void TimerImpl::end()
 {
   if (!started)
     return;
@@ -1069,6 +1086,15 @@ SubscriptionImpl::SubscriptionImpl(const std::string& topic, const char* type, s
   waiting_->concurrent = concurrent;
   node().subscriptions.push_back(this);
   id_ = rosspin::ask("subscribe", {topic, type}).whole;
+}
+
+SubscriptionImpl::~SubscriptionImpl()
+{
+  if (!ended)
+    rosspin::lose(topic);
+  end();
+  for (const auto* other : node().subscriptions)
+    rosspin::regain(other->topic);
 }
 
 void SubscriptionImpl::end()
@@ -1321,14 +1347,20 @@ void NodeHandle::construct(const std::string& ns)
   }
   namespace_ = names::resolve(ns, true);
   if (node().handles++ == 0)
+  {
+    rosspin::regain("node");
     start();
+  }
 }
 
 // The last handle to go shuts the node down.
 NodeHandle::~NodeHandle()
 {
   if (--node().handles == 0)
+  {
+    rosspin::lose("node");
     ros::shutdown();
+  }
 }
 
 std::string NodeHandle::resolveName(const std::string& name, bool remap) const
@@ -1377,6 +1409,8 @@ Subscriber NodeHandle::subscribed(const std::string& topic, const char* type, st
   auto impl = boost::make_shared<detail::SubscriptionImpl>(resolveName(topic), type, queue_size, std::move(receive),
       detail::Tracked(tracked), queue ? queue : getCallbackQueue(), concurrent);
   keep(impl);
+  rosspin::await_spin();
+  rosspin::regain(impl->topic);
   return Subscriber(impl);
 }
 
@@ -1391,6 +1425,7 @@ ServiceServer NodeHandle::advertiseService(AdvertiseServiceOptions& options)
   auto impl = boost::make_shared<detail::ServiceImpl>(name, options.datatype, options.answer,
       detail::Tracked(options.tracked_object), options.callback_queue ? options.callback_queue : getCallbackQueue());
   keep(impl);
+  rosspin::await_spin();
   return ServiceServer(impl);
 }
 

@@ -151,7 +151,7 @@ public:
   TimerBase(Clock::SharedPtr clock, std::chrono::nanoseconds period, Context::SharedPtr context, bool autostart = true);
   ~TimerBase() override;
   RCLCPP_DISABLE_COPY(TimerBase)
-  void cancel() { cancelled_ = true; }
+  void cancel();
   bool is_canceled() const { return cancelled_; }
   void reset();
   bool is_ready() const { return !cancelled_ && clock_->ns() >= next_; }
@@ -457,7 +457,7 @@ public:
   void receive(Received received);
   detail::Events& events() { return events_; }
   // Call back when a message comes, whoever spins.
-  void take_immediately() { at_once_ = true; }
+  void take_immediately();
 
 protected:
   bool take_one(Received& received);
@@ -536,6 +536,7 @@ public:
   }
   bool take(M& message, MessageInfo& info)
   {
+    rosspin::spins();
     Received received;
     if (!take_one(received))
       return false;

@@ -227,7 +227,7 @@ class TimerImpl : public rosspin::Ticking
 public:
   TimerImpl(std::int64_t period, std::function<void(const Called&)> callback, const std::string& name, Tracked tracked,
       CallbackQueueInterface* queue, bool oneshot, std::int64_t (*clock)());
-  ~TimerImpl() override { stop(); }
+  ~TimerImpl() override;
   void start();
   void stop();
   bool pending() const;
@@ -238,6 +238,7 @@ public:
   struct Run;
 
 private:
+  void end();
   std::shared_ptr<const std::function<void(const Called&)>> callback_;
   std::string name_;
   Tracked tracked_;

@@ -146,7 +146,7 @@ class SubscriptionImpl : public Kept
 public:
   SubscriptionImpl(const std::string& topic, const char* type, std::uint32_t queue_size,
       std::function<void(Received&)> callback, Tracked tracked, CallbackQueueInterface* queue, bool concurrent);
-  ~SubscriptionImpl() override { end(); }
+  ~SubscriptionImpl() override;
   void end() override;
   std::uint32_t connections() const;
   std::string topic;
@@ -271,8 +271,10 @@ public:
   explicit Subscriber(boost::shared_ptr<detail::SubscriptionImpl> impl) : impl_(std::move(impl)) {}
   void shutdown()
   {
-    if (impl_)
-      impl_->end();
+    if (!impl_ || impl_->ended)
+      return;
+    rosspin::await_spin(-1);
+    impl_->end();
   }
   std::string getTopic() const { return impl_ ? impl_->topic : std::string(); }
   std::uint32_t getNumPublishers() const { return impl_ ? impl_->connections() : 0; }

@@ -26,7 +26,7 @@ extern "C"
 extern struct RosspinShared
 {
   std::int64_t now, ahead, horizon;
-  std::int32_t urgent, looks, ticks, unused;
+  std::int32_t urgent, looks, ticks, waiting;
   std::int64_t first;
   RosspinTick tick[4096];
 } rosspin_shared;
@@ -82,6 +82,8 @@ protected:
   // Beginning a tick gives what ends it.
   std::int64_t begin_tick(std::int64_t expected, std::int64_t real);
   static void end_tick(std::int64_t tick, std::int64_t duration);
+  // It will never tick.
+  void lose() const;
   int source_ = -1, count_ = 0;
   bool left_ = false;
 
@@ -139,6 +141,16 @@ struct Value
 Value ask(const std::string& what, std::vector<Value> values = {});
 // Tell it something that needs no answer.
 void tell(const std::string& what, std::vector<Value> values = {});
+
+// Callbacks are called once someone spins: so many more wait for that.
+void await_spin(int more = 1);
+// Someone does.
+void spins();
+// Before that something was destroyed, so that it will never call back: a timer, by its source, a subscription, by its
+// topic, or the "node" as a whole.
+void lose(const std::string& what);
+// It was made again.
+void regain(const std::string& what);
 
 // End the run: what the node asks for is not simulated.
 [[noreturn]] void not_simulated(const std::string& what);
