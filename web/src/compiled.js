@@ -1,8 +1,9 @@
 // Loaded when a node in C++ should be compiled. The compiler runs in a sandbox of its own, and serves the next node, too.
 
 import { isCpp } from "./answers.js"
-import { advice, faults } from "./faults.js"
+import { advice, faults, shown } from "./faults.js"
 import { Fault, loadCompiler } from "./files.js"
+import { OF_NO_NODE } from "./limits.js"
 import { COMPILER, Sandbox } from "./sandboxes.js"
 
 /** @typedef {import("./runs.js").Node} Node */
@@ -99,11 +100,12 @@ async function compileFor({ source, filename, ros }, hear) {
     return compile(sandbox, source.replace(/^%%.*/, ""), filename) // the first line of an answer is none of it
   })
   compiling = result.catch(() => {})
-  const { said, program } = await result
-  if (program) return Uint8Array.from(atob(program), (character) => character.charCodeAt(0)).buffer
+  const { said: all, program } = await result
+  const said = shown(all)
   const texts = [said, advice(said)].filter(Boolean)
-  hear({ kind: "batch", chunks: texts.map((text, number) => [true, `${text.trimEnd()}\n`, number, 0]), leftOut: 0, ticks: [] })
-  hear({ kind: "faults", faults: faults(said, filename), filename })
+  hear({ kind: "batch", chunks: texts.map((text) => [true, `${text.trimEnd()}\n`, OF_NO_NODE, 0]), leftOut: 0, ticks: [] })
+  if (said) hear({ kind: "faults", faults: faults(said, filename), filename })
+  if (program) return Uint8Array.from(atob(program), (character) => character.charCodeAt(0)).buffer
   hear({ kind: "end", result: { ...NOTHING, ticks: [], lost: [], chunks: [], drive: [] } })
   return null
 }

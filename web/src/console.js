@@ -1,5 +1,6 @@
 // What a run prints, as text and never as HTML. A flood pushes its first lines out at the top.
 
+import { OF_NO_NODE } from "./limits.js"
 import { make } from "./make.js"
 import { Painter } from "./painter.js"
 
@@ -63,9 +64,10 @@ export class Console {
     this.clear()
   }
 
-  /** All that was printed; null if some of it is left out. */
+  /** All that nodes have printed; null if some of it is left out. */
   get whole() {
-    return this.#cut ? null : this.#text.textContent
+    const lines = [.../** @type {Iterable<Line>} */ (this.#text.children)].filter(({ chunks }) => chunks[0] !== OF_NO_NODE)
+    return this.#cut ? null : lines.map(({ textContent }) => textContent).join("")
   }
 
   clear() {

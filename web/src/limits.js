@@ -60,3 +60,6 @@ export function room(message, job) {
   const count = valuesIn(message)
   return count > values ? Infinity : MESSAGE + message.length + VALUE * count
 }
+
+/** The number of chunks that no node has printed. */
+export const OF_NO_NODE = -1

@@ -5,7 +5,7 @@ import { test } from "node:test"
 
 import "./rules.mjs"
 
-import { advice, faults } from "../src/faults.js"
+import { advice, faults, shown } from "../src/faults.js"
 
 const SAID = `a.cpp:38:8: error: no member named 'spinn' in namespace 'ros'; did you mean 'spin'?
    38 |   ros::spinn();
@@ -77,4 +77,33 @@ test("of a call that fits no candidate, the notes say what it lacks", () => {
   assert.match(advice(call + unlike + short), /which is missing here/)
   assert.match(advice(call + unlike), /The callback does not fit/)
   assert.match(advice(call + double + unlike), /ros::Duration\(0\.1\)/)
+})
+
+const WARNED = `In file included from a.cpp:1:
+own/b.hpp:3:5: warning: unused variable 'left' [-Wunused-variable]
+    3 | int left;
+own/b.hpp:1:1: note: a note on it
+a.cpp:9:30: warning: format specifies type 'char *' but the argument has type 'int' [-Wformat]
+    9 |   RCLCPP_INFO(get_logger(), "%s", counter);
+/include/rclcpp/logging_macros.hpp:15:87: note: expanded from macro 'RCLCPP_INFO'
+   15 | #define RCLCPP_INFO(logger, ...) ROSSPIN_LOG(true, RCUTILS_LOG_SEVERITY_INFO, logger, __VA_ARGS__)
+a.cpp:10:30: warning: format specifies type 'long' but the argument has type 'int64_t' (aka 'long long') [-Wformat]
+   10 |   RCLCPP_INFO(get_logger(), "%ld", time.nanoseconds());
+`
+
+test("warnings are shown of those groups that speak of faults, without a long of another size", () => {
+  const said = shown(`${WARNED}3 warnings generated.\n`)
+  assert.equal(said.split("\n").slice(1).join("\n"), WARNED.split("\n").slice(4, 6).join("\n") + "\n")
+  assert.deepEqual(faults(said, "a.cpp"), [
+    { line: 9, column: 30, text: "format specifies type 'char *' but the argument has type 'int'" },
+  ])
+  assert.match(advice(said), /%d for an int/)
+})
+
+test("an error is explained before a warning", () => {
+  const error = "a.cpp:12:4: error: expected ';' after expression\n"
+  const said = shown(`${WARNED}${error}3 warnings and 1 error generated.\n`)
+  assert.match(said, /\n1 error generated\.\n$/)
+  assert.match(advice(said), /A ; is missing/)
+  assert.deepEqual(faults(said, "a.cpp").map(({ line }) => line), [9, 12])
 })

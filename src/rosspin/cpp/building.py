@@ -25,6 +25,7 @@ from ..messages.library import Library
 from ..programs.cmake import companions
 from ..world.world import NotSimulated
 from . import headers
+from .faults import WARNINGS, advice, shown
 
 __all__ = ["Built", "CompileError", "build", "build_together", "compiler", "node_command"]
 
@@ -43,13 +44,17 @@ NODE = ""
 
 # Exceptions are WebAssembly's. Whatever uses a null pointer ends there, as on a computer; in the memory of a
 # program here, it would be as good as any other.
-_FLAGS = ["--target=wasm32-wasip1", "-std=gnu++17", "-Os", "-fwasm-exceptions", "-w", "-fno-color-diagnostics"]
-# Without atomics, `thread_local` would mean nothing. They cost nothing here, as one thread runs at a time.
-_FLAGS += ["-matomics", "-Iinclude"]
+_FLAGS = ["--target=wasm32-wasip1", "-std=gnu++17", "-Os", "-fwasm-exceptions", "-fno-color-diagnostics"]
+# Without atomics, `thread_local` would mean nothing. They cost nothing here, as one thread runs at a time. Nothing is
+# told of warnings in what is included as a system's.
+_FLAGS += ["-matomics", "-isystem", "include"]
 _FLAGS += ["-D_WASI_EMULATED_SIGNAL", "-D_WASI_EMULATED_PROCESS_CLOCKS", "-D_WASI_EMULATED_GETPID"]
 # As g++ without options, a number that is narrowed, a `register`, and a function that lacks its return are let pass.
 _FLAGS_NODE = ["-fsanitize=null", "-fsanitize-trap=null", "-ferror-limit=5"]
 _FLAGS_NODE += ["-Wno-c++11-narrowing", "-Wno-register", "-fno-strict-return"]
+_QUIET = ["-w"]  # for what is ours
+# What is asked for of a node besides what clang warns of by itself; of all that, faults.WARNINGS are shown.
+_WARNINGS = ["-Iown", *(f"-W{group}" for group in WARNINGS)]
 _SYSTEM_LIBRARIES = "/usr/lib/wasm32-wasip1"
 _LINK = [f"{_SYSTEM_LIBRARIES}/crt1-command.o", f"-L{_SYSTEM_LIBRARIES}", "-lwasi-emulated-process-clocks"]
 _LINK += ["-lc++", "-lc++abi", "-lc", "/usr/lib/wasm32-unknown-wasip1/libclang_rt.builtins.a"]
@@ -93,10 +98,11 @@ class CompileError(ValueError):
 
 
 class Built(NamedTuple):
-    """A compiled node, and which ROS it is of."""
+    """A compiled node, which ROS it is of, and what the compiler warns of, with what the first of that means."""
 
     program: Path
     ros: int
+    warnings: str
 
 
 class _Source(NamedTuple):
@@ -132,10 +138,9 @@ def build(
                 made = _made(plan.ros, waiting)
                 said, status = ("", 0) if plan.program.exists() else _compile(plan.steps(made), waiting)
             if status:
-                for name, file in plan.names.items():
-                    said = said.replace(name, str(file))
-                raise _explained(said)
-    return Built(plan.program, plan.ros)
+                raise _explained(plan.told(said))
+        warnings = plan.told(_text(plan.warnings)) if plan.warnings.exists() else ""
+    return Built(plan.program, plan.ros, "\n".join(filter(None, (warnings.strip(), advice(warnings)))))
 
 
 def build_together(nodes: Sequence[tuple[str, str | None]]) -> None:
@@ -164,18 +169,30 @@ class _Plan(NamedTuple):
     inputs: Mapping[str, str]
     scratch: Path
 
+    @property
+    def warnings(self) -> Path:
+        """What the compiler has said of the program; it is not there if that was nothing."""
+        return self.program.with_suffix(".txt")
+
+    def told(self, said: str) -> str:
+        """Return what a reader is told of what the compiler says: with the names of the files."""
+        for name, file in self.names.items():
+            said = said.replace(name, str(file))
+        return shown(said)
+
     def steps(self, made: _StandIn) -> list[dict[str, object]]:
         """Return what the compiler is asked for."""
         steps = []
         objects = {}
         for number, name in enumerate(self.names):
             object_ = self.scratch / f"{number}.o"
-            options = ["-include-pch", "prelude.pch", "-c", name]
+            options = ["-include-pch", "prelude.pch", *_WARNINGS, "-c", name]
             steps.append(_Step(object_, options, {**made.files, **self.inputs}).request())
             objects[f"{number}.o"] = str(object_)
         objects |= {each: made.files[each] for each in made.objects}
         args = ["wasm-ld", *objects, *_LINK, "-o", "made"]
-        return [*steps, {"args": args, "inputs": objects, "outputs": {"made": str(self.program)}}]
+        outputs = {"made": str(self.program)}
+        return [*steps, {"args": args, "inputs": objects, "outputs": outputs, "said": str(self.warnings)}]
 
 
 def _planned(path: Path, text: str | None, scratch: Path, closed: bool = False) -> _Plan:
@@ -187,7 +204,8 @@ def _planned(path: Path, text: str | None, scratch: Path, closed: bool = False) 
     names = (each.name if text is None else "cell.cpp" for each in source.texts)
     nodes = {f"node/{number}/{name}": each for number, (name, each) in enumerate(zip(names, source.texts, strict=True))}
     texts = {name: source.texts[each] for name, each in nodes.items()}
-    texts |= {f"include/{each}": text for each, text in {**messages, **source.own}.items()}
+    texts |= {f"include/{each}": text for each, text in messages.items()}
+    texts |= {f"own/{each}": text for each, text in source.own.items()}
     program = _programs / f"{_digest(stand_in(source.ros).key, json.dumps(texts, sort_keys=True))}.wasm"
     inputs = {each: scratch / str(number) for number, each in enumerate(texts)}
     if not program.exists():
@@ -285,7 +303,7 @@ def _of_page(ros: int) -> bytes:
     made = _made(ros, lambda: None)
     files = {name: Path(file).read_bytes() for name, file in made.files.items()}
     files |= {f"include/{name}": text.encode() for name, text in headers.carried(ros).items()}
-    words = _Step(Path(), ["-include-pch", "prelude.pch", "-c", "NODE"], {}).request()["args"]
+    words = _Step(Path(), ["-include-pch", "prelude.pch", *_WARNINGS, "-c", "NODE"], {}).request()["args"]
     link = ["wasm-ld", "0.o", *made.objects, *_LINK, "-o", "made"]
     return _archive({**files, "request.json": json.dumps({"compile": words, "link": link}).encode()})
 
@@ -340,11 +358,12 @@ def stand_in(ros: int) -> _StandIn:
     own = headers.stand_ins(ros)
     names = {name: f"include/{name}" for name in own}
     prelude = f"include/rosspin/ros{ros}.hpp"
-    key = _digest(version, prelude, json.dumps([dict(own), _FLAGS, _FLAGS_NODE, _LINK], sort_keys=True))
+    flags = [_FLAGS, _FLAGS_NODE, _WARNINGS, _LINK]
+    key = _digest(version, prelude, json.dumps([dict(own), flags], sort_keys=True))
     folder = _KEPT / key
     files = {name: str(folder / name) for name in names.values()}
     # Otherwise, each node would compile the headers' templates again.
-    pch = _Step(folder / "prelude.pch", ["-x", "c++-header", "-fpch-instantiate-templates", prelude], files)
+    pch = _Step(folder / "prelude.pch", [*_QUIET, "-x", "c++-header", "-fpch-instantiate-templates", prelude], files)
     objects: dict[str, _Step] = {}
     for name in (_RUNTIME_OF[ros], *_RUNTIMES):
         source = _RUNTIME / f"{name}.cpp"
@@ -354,7 +373,8 @@ def stand_in(ros: int) -> _StandIn:
         own_key = key if with_ros else json.dumps({each: own[each.removeprefix("include/")] for each in needs})
         state = _digest(version, _text(source), own_key, json.dumps(_FLAGS))
         file = _KEPT / "runtime" / f"{name}-{state}.o"
-        objects[f"{name}.o"] = _Step(file, [*options, "-c", f"{name}.cpp"], {**needs, f"{name}.cpp": str(source)})
+        args = [*_QUIET, *options, "-c", f"{name}.cpp"]
+        objects[f"{name}.o"] = _Step(file, args, {**needs, f"{name}.cpp": str(source)})
     made = {name: str(step.file) for name, step in objects.items()}
     all_files = {**files, **made, "prelude.pch": str(pch.file)}
     # Not where they lie: another checkout makes the same programs.

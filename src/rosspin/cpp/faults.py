@@ -1,5 +1,7 @@
 """What the compiler says of a node, as places in it; the first of these explained, where it is a common mistake.
 
+A warning is shown if it is of a group in which each is of a fault.
+
 ``web/src/faults.js`` does the same in a page, with the same table.
 """
 
@@ -7,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["ADVICE", "advice", "first"]
+__all__ = ["ADVICE", "LENGTHS", "NOTES", "WARNINGS", "advice", "first", "shown"]
 
 ADVICE = (
     (
@@ -73,10 +75,51 @@ ADVICE = (
         r"(undeclared identifier '\w+'|no member named '\w+' in [^\n;]*)(\n|$)",
         "There is nothing of this name: compare its spelling, capitals too, with where it is declared.",
     ),
+    (
+        r"format specifies type|'%' conversions than data arguments|argument not used by format string",
+        "A format has one value for each %, of its type: %d for an int, %f for a double, %zu for a size, and %s for a "
+        "text of C, as c_str() of a std::string gives it. What does not fit is printed as garbage.",
+    ),
+    (
+        "does not append to the string",
+        "To add a number to a text, write std::to_string(number), or use << in a macro with _STREAM in its name.",
+    ),
+    (
+        "non-void (function|lambda) does not return a value",
+        "Each way through this function has to end in return and a value; without one, it gives garbage.",
+    ),
+    ("result of an assignment as a condition", "To compare, write ==; a single = assigns."),
+    (
+        "address of function '.*' will always evaluate to 'true'",
+        "A function is called with parentheses, as in ros::ok(); its name alone is always true.",
+    ),
+    (
+        "is (used )?uninitialized",
+        "Give a variable its first value where you declare it, as in int counter = 0; otherwise it begins as garbage.",
+    ),
 )
-"""What the compiler says of an error, in a line of its own, and what it means. JavaScript has such patterns, too."""
+"""What the compiler says of an error, or a warning, in a line of its own, and what it means, for JavaScript, too."""
 
-_SAID = re.compile(r"(.*?):(\d+):(\d+): (?:fatal )?(error|note): (.*)")
+WARNINGS = (
+    *("array-bounds", "constant-conversion", "dangling-gsl", "division-by-zero", "empty-body", "exceptions", "format"),
+    *("format-extra-args", "format-insufficient-args", "format-invalid-specifier", "infinite-recursion"),
+    *("literal-conversion", "logical-not-parentheses", "null-dereference", "parentheses", "pointer-bool-conversion"),
+    *("return-stack-address", "return-type", "self-assign", "sometimes-uninitialized", "string-compare"),
+    *("string-plus-int", "uninitialized", "unused-comparison", "unused-value", "vexing-parse"),
+)
+"""The groups of clang's warnings that are shown."""
+
+LENGTHS = (
+    r"specifies type (?:'\w+' \(aka )?'(?:unsigned )?long(?: long)?'\)? but the argument has (?:underlying )?type "
+    r"(?:'[^']*' \(aka )?'(?:unsigned )?long(?: long)?'"
+)
+"""A warning that is not shown: int64_t is a long on a computer, and a long long here."""
+
+NOTES = "expanded from macro|to silence this warning"
+"""A note that is not shown."""
+
+_SAID = re.compile(r"(.*?):(\d+):(\d+): (?:fatal )?(error|warning|note): (.*?)(?: \[-W([\w+-]+)\])?")
+_COUNT = re.compile(r"^\d+ warnings? (?:generated\.\n|and )", re.MULTILINE)
 _LAMBDA = re.compile(r"\(lambda at (.*?):(\d+):(\d+)\)")
 
 
@@ -87,7 +130,7 @@ def first(said: str, file: str) -> tuple[int, int, str]:
     """
     text = ""
     for line in said.splitlines():
-        if not (found := _SAID.match(line)):
+        if not (found := _SAID.fullmatch(line)):
             continue
         if found[4] == "error":
             text = text or found[5]
@@ -98,8 +141,24 @@ def first(said: str, file: str) -> tuple[int, int, str]:
 
 
 def advice(said: str) -> str:
-    """Return what the first error means; empty if that is none of the table's."""
-    found = [match for line in said.splitlines() if (match := _SAID.match(line))]
-    end = next((number for number, match in enumerate(found) if number and match[4] == "error"), None)
-    error = "\n".join(match[5] for match in found[:end])  # with the notes on it
-    return next((meaning for pattern, meaning in ADVICE if re.search(pattern, error)), "")
+    """Return what the first error means, if there is none the first warning; empty if that is none of the table's."""
+    found = [match for line in said.splitlines() if (match := _SAID.fullmatch(line))]
+    starts = [number for number, match in enumerate(found) if match[4] != "note"]
+    begin = next((number for number in starts if found[number][4] == "error"), 0)
+    end = next((number for number in starts if number > begin), None)
+    first = "\n".join(match[5] for match in found[begin:end])  # with the notes on it
+    return next((meaning for pattern, meaning in ADVICE if re.search(pattern, first)), "")
+
+
+def shown(said: str) -> str:
+    """Return what is shown of it: no warning that need not be of a fault, and no note that does not help."""
+    lines = []
+    whole = part = True  # whether what is said of a place is shown, and this part of it
+    for line in _COUNT.sub("", said).splitlines(keepends=True):
+        if match := _SAID.fullmatch(line.rstrip("\n")):
+            if match[4] != "note":
+                whole = match[4] == "error" or (match[6] in WARNINGS and not re.search(LENGTHS, match[5]))
+            part = whole and not (match[4] == "note" and re.search(NOTES, match[5]))
+        if part:
+            lines.append(line)
+    return "".join(lines)

@@ -32,7 +32,7 @@ _MOST = 10.0
 
 def program(built: Built, path: str) -> Program:
     """Return what runs a compiled node, whose source is ``path``, when it is called."""
-    return Program(built.ros, path, partial(_Child, built, path))
+    return Program(built.ros, path, partial(_Child, built, path), built.warnings)
 
 
 class _Child:

@@ -44,12 +44,16 @@ class Child(Protocol):
 
 
 class Program:
-    """Runs a compiled node of a ROS, whose source is ``path``, when it is called; ``begin`` makes what it runs in."""
+    """Runs a compiled node of a ROS, whose source is ``path``, when it is called; ``begin`` makes what it runs in.
 
-    def __init__(self, ros: int, path: str, begin: Callable[[World, Simulation], Child]) -> None:
+    ``warnings`` are what the compiler has said of it.
+    """
+
+    def __init__(self, ros: int, path: str, begin: Callable[[World, Simulation], Child], warnings: str = "") -> None:
         self.ros = ros
         self.path = path
         self.begin = begin
+        self.warnings = warnings
 
     def __call__(self) -> None:
         """Run it to its end, on a stack of a simulation, within a process. Raises SystemExit with its status."""

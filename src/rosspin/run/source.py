@@ -62,7 +62,8 @@ NodeLike = str | os.PathLike[str] | Callable[[], Any]
 def load(node: NodeLike, waiting: Callable[[], object] = lambda: None) -> Code:
     """Make a node of a file, a function, or the name of a function, as in ``package.module:main``.
 
-    ``waiting()`` is called again and again while a node is compiled.
+    ``waiting()`` is called again and again while a node is compiled. What the compiler warns of is said on
+    ``sys.stderr``.
 
     Raises OSError if it cannot be read, SyntaxError if it is not Python, ValueError for several nodes or a launch file,
     TypeError for anything else.
@@ -81,7 +82,7 @@ def load(node: NodeLike, waiting: Callable[[], object] = lambda: None) -> Code:
     if not isinstance(node, (str, os.PathLike)):
         raise TypeError(f"a node is the path of a file, or a function, not {node!r}")
     if language := language_of(path):
-        return code_of_program(language.program(path, waiting))
+        return _warned(language.program(path, waiting))
     if not os.path.exists(path) and _ENTRY.fullmatch(entry := path if ":" in path else _console_script(path)):
         return load_entry_point(entry)
     return load_source(read(path), path)
@@ -93,8 +94,14 @@ def load_cell(text: str, name: str) -> Code:
     In C++, it may include headers and messages as a file in the working directory could.
     """
     if language := written_in(text):
-        return code_of_program(language.program(name, lambda: None, text))
+        return _warned(language.program(name, lambda: None, text))
     return load_source(text, name)
+
+
+def _warned(program: Program) -> Code:
+    if program.warnings:
+        sys.stderr.write(f"{program.warnings}\n")
+    return code_of_program(program)
 
 
 def code_of_program(program: Program) -> Code:

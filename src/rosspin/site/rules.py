@@ -9,7 +9,7 @@ import json
 from typing import Any
 
 from .. import hand_ins
-from ..cpp.faults import ADVICE
+from ..cpp.faults import ADVICE, LENGTHS, NOTES, WARNINGS
 from ..exercises import EXERCISES
 from ..hand_ins.archives import ON_PAGE
 from ..hand_ins.files import NUMBERED
@@ -30,7 +30,10 @@ def defined() -> dict[str, Any]:
                 **{"time": hand_ins.TIME, "said": hand_ins.MOST_SAID, "entries": ON_PAGE.entries},
             },
             "timeline": layout.constants(),
-            "cpp": {"advice": ADVICE, "includes": INCLUDES.pattern},
+            "cpp": {
+                **{"advice": ADVICE, "warnings": WARNINGS, "lengths": LENGTHS, "notes": NOTES},
+                "includes": INCLUDES.pattern,
+            },
         },
     }
 

@@ -292,6 +292,29 @@ def test_a_node_that_forgets_to_spin_is_told_so(page: Page, address: str, addres
     expect(cell.button("Copy as test")).to_be_hidden()
 
 
+def test_what_clang_warns_of_is_shown_and_the_node_runs(page: Page, address: str) -> None:
+    """It is no part of what the node has printed, as a copied test has that."""
+    name = "docs/ros2/tutorial.html?lang=cpp"
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.goto(address + name)
+    cell = Cell(page, 0, CPP)
+    text = (EXAMPLES / TIMER[name]).read_text(encoding="utf-8")
+    main = "  rclcpp::init(argc, argv);\n"
+    assert main in text
+    cell.write(text.replace(main, f'{main}  std::string text = "counter = " + argc;\n  if (argc = 1) text.clear();\n'))
+    cell.run(2)
+    said = cell.ends("done: 4 ticks", 120_000)
+    line = text.partition(main)[0].count("\n") + 2
+    assert said.startswith(f"spinner_cpp_node.cpp:{line}:35: warning: adding 'int' to a string does not append")
+    assert "std::to_string(number)" in said and "silence" not in said and "counter = 4" in said
+    shown = [rf"{line}:35: adding 'int' to a string", rf"{line + 1}:12: using the result of an assignment"]
+    expect(cell.element.locator(".live-fault")).to_have_text([re.compile(each) for each in shown])
+    cell.button("Copy as test").click()
+    expect(cell.status).to_have_text("the test is copied: save it in a file for pytest", timeout=60_000)
+    copied = page.evaluate("navigator.clipboard.readText()")
+    assert "counter = 4" in copied and "warning" not in copied
+
+
 def test_a_changed_partner(page: Page, address: str) -> None:
     """It is compiled as it stands there. One that does not compile, never ends, prints without end or uses a null
     pointer harms no page."""

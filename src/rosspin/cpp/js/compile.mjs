@@ -1,6 +1,7 @@
 // Compiles C++ to WebAssembly: node compile.mjs CLANG, with requests on standard input until it ends, each a line of JSON:
-// { steps: [{ args, inputs: { "path in the compiler's world": "file" }, outputs: { "path": "file" } }] }
-// The answer is a line on standard output: { said, status } of the compiler, which ends at the first step that fails.
+// { steps: [{ args, inputs: { "path in the compiler's world": "file" }, outputs: { "path": "file" }, said? }] }
+// The answer is a line on standard output: { said, status } of the compiler, which ends at the first step that fails. What it
+// has said in the steps up to one that names a file as `said` is written there, if that is anything.
 // A compiler needs half a gigabyte, so it ends when it was not used for a minute.
 
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from "node:fs"
@@ -26,11 +27,15 @@ const write = (file, content) => {
 
 function compiled(steps) {
   let all = ""
-  for (const { args, inputs, outputs } of steps) {
+  let own = ""
+  for (const { args, inputs, outputs, said: file } of steps) {
     const files = Object.fromEntries(Object.entries(inputs).map(([name, file]) => [name, readFileSync(file)]))
     const { status, said, made } = compiler.run(args, files, Object.keys(outputs))
     all += said
+    own += said
     if (status) return { said: all, status }
+    if (file && own) write(file, own) // before the program, with which nothing is compiled again
+    if (file) own = ""
     for (const [name, file] of Object.entries(outputs)) write(file, made[name])
   }
   return { said: all, status: 0 }

@@ -12,13 +12,16 @@ __all__ = ["Language", "Program"]
 
 
 class Program(Protocol):
-    """A node that can be run: of which ROS it is, and which file it was made from."""
+    """A node that can be run: of which ROS it is, which file it was made from, and what its compiler warns of."""
 
     @property
     def ros(self) -> int: ...
 
     @property
     def path(self) -> str: ...
+
+    @property
+    def warnings(self) -> str: ...
 
     def __call__(self) -> object: ...
 

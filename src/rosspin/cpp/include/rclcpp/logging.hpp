@@ -59,7 +59,8 @@ struct Place
 bool logs(int severity, const char* name);
 void log(int severity, const char* name, const Place& place, const std::string& text);
 template<class... Values>
-void log(int severity, const char* name, const Place& place, const char* format, Values... values)
+__attribute__((format(printf, 4, 5))) void log(
+    int severity, const char* name, const Place& place, const char* format, Values... values)
 {
   log(severity, name, place, rosspin::formatted(format, {rosspin::Argument(values)...}));
 }

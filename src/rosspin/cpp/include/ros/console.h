@@ -32,7 +32,7 @@ typedef levels::Level Level;
 bool enabled(Level level);
 void print(Level level, const std::string& text);
 template<class... Values>
-void print(Level level, const char* format, Values... values)
+__attribute__((format(printf, 2, 3))) void print(Level level, const char* format, Values... values)
 {
   print(level, rosspin::formatted(format, {rosspin::Argument(values)...}));
 }
