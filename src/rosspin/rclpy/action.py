@@ -21,9 +21,9 @@ from ..clocks.frames import format_error
 from ..messages.ros2 import Action, Message
 from ..world.world import current_world
 from .callback_groups import CallbackGroup
+from .deadlines import Countdown
 from .exceptions import NameValidationException, RCLError, no_type_support
 from .handle import Life
-from .lateness import Countdown
 from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from .services import ClientEnd, ServerEnd, look_until
 from .task import Future, await_or_execute

@@ -21,6 +21,7 @@ from ..messages.ros2 import Message, received, transfer
 from ..world.graph import Transport
 from ..world.tester import NAME as TESTER
 from .callback_groups import ReentrantCallbackGroup
+from .deadlines import Countdown, Lasting
 from .discovery import KEPT
 from .ends import Entity, Owner
 from .event import Event
@@ -32,7 +33,6 @@ from .event_handler import (
     SubscriptionEventCallbacks,
 )
 from .exceptions import RCLError, invalid_context
-from .lateness import Countdown, Lasting
 from .qos import FOR_EVER, Policies, QoSPolicyKind, QoSProfile, incompatible_policy, length
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""What comes too late, and what is too old: the clocks behind deadlines, leases and lifespans (source: Fast DDS)."""
+"""Countdowns for deadlines, leases and lifespans: what comes too late, and what is too old (source: Fast DDS)."""
 
 from __future__ import annotations
 
