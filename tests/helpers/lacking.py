@@ -9,7 +9,7 @@ from functools import cache
 
 from benchmarks import rclcpp_nodes
 from rosspin import doctor
-from rosspin.grading.lanes import Lanes
+from rosspin.grading.pool import Pool
 from rosspin.grading.sealed import CannotSeal
 from rosspin.real import ros2
 
@@ -31,7 +31,7 @@ def _lacks_ros1() -> str:
 @cache
 def _lacks_bwrap() -> str:
     try:
-        Lanes().close()
+        Pool().close()
     except CannotSeal as error:
         return f"answers cannot be sealed: {error}"
     return ""

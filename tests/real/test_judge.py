@@ -14,7 +14,7 @@ from tests.helpers.command_line import NEVER
 ENDLESS = "sum(iter(int, 1))"  # gives way to nothing
 
 # With a tenth of the time that an answer may take.
-_SOON = "from rosspin.grading import lanes; lanes.TIME = 2; from rosspin.__main__ import main; raise SystemExit(main())"
+_SOON = "from rosspin.grading import pool; pool.TIME = 2; from rosspin.__main__ import main; raise SystemExit(main())"
 
 
 def _class(folder: Path, **answers: str) -> None:

@@ -14,7 +14,7 @@ import { reveal } from "./unseen.js"
 const base = new URL("../live/", here()).href
 
 /** How many answers are judged at the same time. */
-const LANES = Math.max(2, Math.min(4, navigator.hardwareConcurrency - 1))
+const AT_ONCE = Math.max(2, Math.min(4, navigator.hardwareConcurrency - 1))
 
 /** So many cells are shown, which come piece by piece. */
 const MOST_CELLS = 3000
@@ -45,7 +45,7 @@ function judgeOne(exercise, text, stopped) {
   return judge(base, exercise, text, stopped)
 }
 
-const known = new Table((job) => ask(base, job), judgeOne, LANES, (answer) => {
+const known = new Table((job) => ask(base, job), judgeOne, AT_ONCE, (answer) => {
   if (!answer) return draw()
   if (signs.has(answer)) mark(answer)
   if (shown === answer) show(answer, false)

@@ -8,7 +8,7 @@
  *
  * @typedef {{number: number, name: string, how: string}} Callback
  * @typedef {{name: string, callback: Callback | null, line: number}} Thread
- * @typedef {{time: string, said: string, ready: Callback[], threads: Thread[], lanes: {name: string, callbacks: Callback[]}[],
+ * @typedef {{time: string, said: string, ready: Callback[], threads: Thread[], groups: {name: string, callbacks: Callback[]}[],
  *   alternative: string}} Scene
  */
 
@@ -25,7 +25,7 @@ const seconds = (time) => `${Number(time.toFixed(6))} s`
 export function scene({ groups, callbacks, threads, steps }, index) {
   const [time, said, ready, where, how] = steps[index]
   const all = how.map((words, number) => ({ number, name: callbacks[number][0], how: words }))
-  const lanes = groups.map((name, group) => ({ name, callbacks: all.filter(({ number }) => callbacks[number][1] === group) }))
+  const byGroup = groups.map((name, group) => ({ name, callbacks: all.filter(({ number }) => callbacks[number][1] === group) }))
   const running = where.map(([thread, callback, line]) => ({ name: threads[thread], callback: all[callback] ?? null, line }))
   const waiting = ready.map((number) => all[number])
   const words = [
@@ -41,7 +41,7 @@ export function scene({ groups, callbacks, threads, steps }, index) {
     said,
     ready: waiting,
     threads: running,
-    lanes: lanes.filter((lane) => lane.callbacks.length),
+    groups: byGroup.filter((group) => group.callbacks.length),
     alternative: `${words.join("; ")}.`,
   }
 }

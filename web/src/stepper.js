@@ -116,11 +116,11 @@ export class Stepper {
   show(index) {
     const last = this.#scenes.steps.length - 1
     this.#at = Math.min(Math.max(index, 0), last)
-    const { time, said, ready, threads, lanes, alternative } = scene(this.#scenes, this.#at)
+    const { time, said, ready, threads, groups, alternative } = scene(this.#scenes, this.#at)
     const places = this.#places()
     this.#picture.replaceChildren(
-      ...(lanes.length ? [box("Groups", ...lanes.map(({ name, callbacks }) => box(name, ...callbacks.map(row))))] : []),
-      ...(lanes.length ? [box("Ready, in this order", ...ready.map(token), ready.length ? "" : "nothing")] : []),
+      ...(groups.length ? [box("Groups", ...groups.map(({ name, callbacks }) => box(name, ...callbacks.map(row))))] : []),
+      ...(groups.length ? [box("Ready, in this order", ...ready.map(token), ready.length ? "" : "nothing")] : []),
       box("Threads", ...threads.map(({ name, callback, line }) => {
         const code = line ? make("code", { textContent: `${line}: ${this.#text[line - 1]?.trim() ?? ""}` }) : ""
         return box(name, callback ? token(callback) : make("span", { textContent: "no callback" }), code)

@@ -92,7 +92,7 @@ export class Table {
 
   /** @type {Answer[]} */
   #waiting = []
-  #lanes = 0
+  #workers = 0
   #judging = 0 // answers
   #stop = new AbortController()
   #ask
@@ -133,7 +133,7 @@ export class Table {
     this.#sort()
     this.isSaved = false
     this.#changed(null)
-    while (this.#lanes < this.#most && this.#waiting.length) this.#work()
+    while (this.#workers < this.#most && this.#waiting.length) this.#work()
   }
 
   #sort() {
@@ -161,7 +161,7 @@ export class Table {
 
   /** Judge what waits, one answer after the other. */
   async #work() {
-    this.#lanes++
+    this.#workers++
     for (let answer = this.#waiting.shift(); answer; answer = this.#waiting.shift()) {
       this.#judging++
       this.#become(answer, { verdict: "being judged", said: "" })
@@ -170,7 +170,7 @@ export class Table {
       this.isSaved = false
       this.#become(answer, found)
     }
-    this.#lanes--
+    this.#workers--
   }
 
   /**

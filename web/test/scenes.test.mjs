@@ -17,19 +17,19 @@ const scenes = {
 }
 
 test("each callback stands in its group, a running one in its thread, and the ready ones in their order", () => {
-  const { time, said, ready, threads, lanes } = scene(scenes, 1)
+  const { time, said, ready, threads, groups } = scene(scenes, 1)
   assert.deepEqual([time, said], ["0.5 s", "MainThread calls slow."])
   assert.deepEqual(ready.map(({ name }) => name), ["quick"])
   assert.deepEqual(threads.map(({ name, callback, line }) => [name, callback?.name, line]), [
     ["MainThread", "slow", 4],
     ["Thread-1", undefined, 0],
   ])
-  assert.deepEqual(lanes.map(({ name, callbacks }) => [name, callbacks.map(({ how }) => how)]), [
+  assert.deepEqual(groups.map(({ name, callbacks }) => [name, callbacks.map(({ how }) => how)]), [
     ["Default group: one at a time", ["runs", "waits for the thread, which is in slow"]],
   ])
 })
 
-test("a group whose callbacks are not there yet is not shown", () => assert.equal(scene(scenes, 0).lanes.length, 1))
+test("a group whose callbacks are not there yet is not shown", () => assert.equal(scene(scenes, 0).groups.length, 1))
 
 test("what is seen is said: who is ready, what runs where, what waits and why", () => {
   assert.equal(

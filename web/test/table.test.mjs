@@ -95,17 +95,17 @@ test("a row says that it came late, and why it has no answer", async () => {
 
 // --- what is judged ---
 
-test("answers are judged one after the other in so many lanes", async () => {
+test("answers are judged one after the other, so many at a time", async () => {
   let [most, now] = [0, 0]
   const texts = []
-  const lanes = async (_, text) => {
+  const counted = async (_, text) => {
     texts.push(text)
     most = Math.max(most, ++now)
     await new Promise(setImmediate)
     now--
     return { verdict: "solved", said: "" }
   }
-  table = new Table(ask, lanes, 2, () => {})
+  table = new Table(ask, counted, 2, () => {})
   handedIn("Ada", { answers: { "e-a": "%%answer e-a\nx = 1", "e-b": "x", "e-c": "", "e-d": "y" } })
   await table.add([])
   assert.equal(table.said, "Judging the answers of 1 file")

@@ -20,7 +20,7 @@ from ..hand_ins.reports import as_csv, as_data, as_words, say_python, say_unseal
 from ..hand_ins.students import Class
 from ..results.saving import save_whole
 from .elsewhere import Elsewhere
-from .lanes import Lanes, Task
+from .pool import Pool, Task
 from .sealed import CannotSeal
 
 __all__ = ["judge"]
@@ -59,7 +59,7 @@ def judge(
     for row, name in places:
         row.verdicts[name] = _STOPPED
     try:
-        lanes = Elsewhere(executor, unsealed) if executor else Lanes(unsealed)
+        pool = Elsewhere(executor, unsealed) if executor else Pool(unsealed)
     except CannotSeal as error:
         return _misused(f"answers cannot be sealed here: {str(error).rstrip('.')}. {_REMEDY}")
     progress = _Progress(len(places))
@@ -72,11 +72,11 @@ def judge(
         progress.step()
 
     try:
-        lanes.judge((Task(name, row.answers[name]) for row, name in places), done)
+        pool.judge((Task(name, row.answers[name]) for row, name in places), done)
     finally:
-        lanes.close()
+        pool.close()
         progress.end()
-    found.why_unsealed = lanes.why
+    found.why_unsealed = pool.why
     for said in (say_unsealed(found), say_python(found)):
         if said:
             print(said, file=sys.stderr)
@@ -87,7 +87,7 @@ def judge(
         except OSError as error:
             status = _misused(f"--csv {csv}: {error.strerror}")
     _print(found, as_json)
-    if lanes.stopped:
+    if pool.stopped:
         return 128 + signal.SIGINT
     if not found.rows:
         print("No hand-in was found.", file=sys.stderr)

@@ -1,4 +1,4 @@
-"""Judge answers in the processes of an executor, here or on other machines, each in a lane of its own."""
+"""Judge answers in the processes of an executor, here or on other machines, each with a pool of its own."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from importlib import import_module
 from typing import NamedTuple
 
 from ..exercises import Verdict
-from .lanes import LOOK, Lanes, Task, not_judged
+from .pool import LOOK, Pool, Task, not_judged
 
 __all__ = ["Elsewhere", "executor_of"]
 
@@ -23,18 +23,18 @@ class _Judged(NamedTuple):
     why: str
 
 
-class Elsewhere(Lanes):
-    """Judges tasks as :class:`Lanes` does, in the processes of an executor."""
+class Elsewhere(Pool):
+    """Judges tasks as :class:`Pool` does, in the processes of an executor."""
 
     def __init__(self, executor: Executor, unsealed: bool = False) -> None:
-        """Look whether answers can be sealed there. Raises :class:`CannotSeal` as :class:`Lanes` does."""
+        """Look whether answers can be sealed there. Raises :class:`CannotSeal` as :class:`Pool` does."""
         self.stopped = False
         self._executor = executor
         self._unsealed = unsealed
         self.why = executor.submit(_try, unsealed).result()
 
     def judge(self, tasks: Iterable[Task], done: Callable[[int, Verdict], None]) -> None:
-        """Judge tasks, as :meth:`Lanes.judge` does."""
+        """Judge tasks, as :meth:`Pool.judge` does."""
         waiting: dict[Future[_Judged], tuple[int, Task]] = {}
         with self.stopping():
             try:
@@ -58,31 +58,31 @@ class Elsewhere(Lanes):
         return judged.verdict
 
     def close(self) -> None:
-        """The lanes end with the processes that they belong to."""
+        """The pools end with the processes that they belong to."""
 
 
 # --- in a process of the executor -------------------------------------------------------------------------------------
 
-# A lane ends with the thread that has started it, so each thread has its own.
+# A worker ends with the thread that has started it, so each thread has a pool of its own.
 _own = threading.local()
 
 
-def _lanes(unsealed: bool) -> Lanes:
-    if not hasattr(_own, "lanes"):
-        _own.lanes = Lanes(unsealed)
-    lanes: Lanes = _own.lanes
-    return lanes
+def _pool(unsealed: bool) -> Pool:
+    if not hasattr(_own, "pool"):
+        _own.pool = Pool(unsealed)
+    pool: Pool = _own.pool
+    return pool
 
 
 def _try(unsealed: bool) -> str:
-    return _lanes(unsealed).why
+    return _pool(unsealed).why
 
 
 def _judge(task: Task, unsealed: bool) -> _Judged:
     found: list[Verdict] = []
-    lanes = _lanes(unsealed)
-    lanes.judge([task], lambda number, verdict: found.append(verdict))
-    return _Judged(found[0] if found else None, lanes.why)
+    pool = _pool(unsealed)
+    pool.judge([task], lambda number, verdict: found.append(verdict))
+    return _Judged(found[0] if found else None, pool.why)
 
 
 # --- of the command line ----------------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""What runs next to the process of a lane for answers in C++: a compiler and a Node.js, in the lane's own sandbox.
+"""What runs next to the process of a worker for answers in C++: a compiler and a Node.js, in the worker's own sandbox.
 
 Neither knows an answer before it is asked to compile or to run it. To the compiler, and to the program that it makes,
 there are no files but those that they are given: their world is WebAssembly's.
@@ -40,7 +40,7 @@ class Programs:
         self._lent: list[_Lent] = []
 
     def start(self) -> None:
-        """Start what does not run yet; to be called by the lane, before it forks a child that uses them."""
+        """Start what does not run yet; to be called by the worker, before it forks a child that uses them."""
         if not self._lent:
             for ros in building.ROSES:
                 building.stand_in(ros)  # which each child would do again
@@ -68,7 +68,7 @@ class Programs:
 
 
 class _Lent:
-    """A process of the lane, as its child knows it, who can neither end it nor start another."""
+    """A process of the worker, as its child knows it, who can neither end it nor start another."""
 
     def __init__(self, command: list[str]) -> None:
         self._process = subprocess.Popen(

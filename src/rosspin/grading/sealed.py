@@ -1,4 +1,4 @@
-"""Start the process of a lane: in an empty root of its own, made by bubblewrap, or with all rights of this process.
+"""Start the process of a worker: in an empty root of its own, made by bubblewrap, or with all rights of this process.
 
 What bubblewrap was asked for is looked up from outside before anything is said to be sealed.
 """
@@ -28,7 +28,7 @@ from .worker import READY
 
 __all__ = ["CannotSeal", "Process"]
 
-# What else than Python a lane imports; the modules of rosspin need no more.
+# What else than Python a worker imports; the modules of rosspin need no more.
 _PACKAGES = ("greenlet", "yaml")
 
 # Where shared libraries may lie: those that Python was linked with.
@@ -36,7 +36,7 @@ _LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/nix/store", "/etc/ld
 
 _DEVICES = ("/dev/null", "/dev/zero", "/dev/urandom")
 
-_IN = "/rosspin"  # where the packages are in a sealed lane
+_IN = "/rosspin"  # where the packages are in a sealed worker
 
 _NAMESPACES = ("cgroup", "ipc", "mnt", "net", "pid", "uts")
 
@@ -53,7 +53,7 @@ from rosspin.grading.worker import work
 work(given, own)
 """
 
-# So long (s) a lane may take until it is ready.
+# So long (s) a worker may take until it is ready.
 _PATIENCE = 120
 
 _number = itertools.count()
@@ -64,7 +64,7 @@ class CannotSeal(Exception):
 
 
 class Process:
-    """The process of a lane, which has said that it is ready.
+    """The process of a worker, which has said that it is ready.
 
     Jobs are written to ``jobs`` after their size, as a line, to ``control``; what the child says comes from
     ``results``, and how it ended from ``status``.
@@ -210,7 +210,7 @@ def _sealed(given: Mapping[str, Any], about: int) -> list[str]:
     # A Python may lie there, too.
     folder = "/answer" if any(place.startswith("/tmp/") for place in binds.values()) else "/tmp"
     root = {Path(place).parts[1] for place in parents | {*binds.values(), folder}}
-    # Root has a user in it who owns nothing, others a namespace of users: each lane has its own.
+    # Root has a user in it who owns nothing, others a namespace of users: each worker has its own.
     user = 2_000_000_000 + (os.getpid() << 8) % (1 << 30) + next(_number) % 256 if _has_all_users() else 0
     rights = ("--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID", "--cap-add", "CAP_DAC_READ_SEARCH")
     given = {**given, "path": [_IN], "lessons": lessons, "user": user, "root": sorted(root), "folder": folder}

@@ -1,8 +1,8 @@
-"""The process of a lane, in which answers are run and judged: in an empty root of its own, if it is sealed.
+"""A worker of the pool: a process in which answers are run and judged, in an empty root of its own if it is sealed.
 
 It has imported all that an answer needs, knows no hand-in, and runs nothing of one. For each job it forks a child,
 which reads the job, gives up all that it does not need, sends a word that says so, and does the job. When that has
-ended, the lane says how, and whether all is as it was before.
+ended, the worker says how, and whether all is as it was before.
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ from .programs import Programs
 __all__ = ["AS_BEFORE", "OPEN", "READY", "SEALED", "work"]
 
 READY = b"ready\n"
-"""What a lane says when it can work."""
+"""What a worker says when it can work."""
 
 AS_BEFORE = b"0 as before\n"
-"""What a lane says of a child that ended well and left nothing behind."""
+"""What a worker says of a child that ended well and left nothing behind."""
 
 SEALED = b"sealed\n"
 OPEN = b"not sealed\n"
@@ -52,7 +52,7 @@ _FILES = 64
 _MADE = 1000
 _THREADS = 256
 
-# How often (s) a lane looks how many files there are.
+# How often (s) a worker looks how many files there are.
 _LOOK = 0.05
 
 _PR_SET_PDEATHSIG = 1
@@ -62,7 +62,7 @@ _CONTROL, _STATUS, _ERRORS = range(3)
 
 
 def work(given: Mapping[str, Any], own_path: list[str]) -> NoReturn:
-    """Be a lane. ``own_path`` is where Python has its own modules.
+    """Be a worker. ``own_path`` is where Python has its own modules.
 
     Each line on standard input says how many bytes the next job has, and with a 1 that it is an answer in C++ to run;
     there is an answer to each on standard output.

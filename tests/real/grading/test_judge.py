@@ -19,7 +19,7 @@ import pytest
 
 from rosspin.__main__ import main
 from rosspin.exercises import Verdict, trace, verdict
-from rosspin.grading.lanes import Lanes, Task
+from rosspin.grading.pool import Pool, Task
 from tests.helpers.answers import CELLS, NAMES, WRONG, answer_in, written
 from tests.helpers.command_line import NEVER
 
@@ -32,31 +32,31 @@ WRONG_TIMER = "%%answer slow-timer\nafter_1_0_seconds = [1]\n"
 
 @pytest.fixture(scope="module", autouse=True)
 def _patient(require: Callable[[str], None]) -> Iterator[None]:
-    """Lanes of this process, which are sealed, give an answer as long as a busy machine makes it take."""
+    """Workers of this process, which are sealed, give an answer as long as a busy machine makes it take."""
     require("bwrap")
     with pytest.MonkeyPatch.context() as patient:
-        patient.setattr("rosspin.grading.lanes.TIME", 300)
+        patient.setattr("rosspin.grading.pool.TIME", 300)
         yield
 
 
 @pytest.fixture(scope="module")
-def at_work() -> Iterator[Lanes]:
-    made = Lanes()
+def pool() -> Iterator[Pool]:
+    made = Pool()
     yield made
     made.close()
 
 
-def judged(at_work: Lanes, *tasks: Task) -> list[Verdict]:
+def judged(pool: Pool, *tasks: Task) -> list[Verdict]:
     found: dict[int, Verdict] = {}
-    at_work.judge(tasks, found.__setitem__)
+    pool.judge(tasks, found.__setitem__)
     return [found[number] for number in range(len(tasks))]
 
 
-def test_the_verdicts_are_those_of_the_check(at_work: Lanes) -> None:
+def test_the_verdicts_are_those_of_the_check(pool: Pool) -> None:
     """For each exercise a right and a wrong answer, and one that is open."""
     right = [Task(name, CELLS[name][1].source) for name in NAMES]
     wrong = [Task(name, written(name, WRONG[name][0][0])) for name in NAMES if "still" not in WRONG[name][0][1]]
-    *found, last = judged(at_work, *right, *wrong, Task("slow-timer", OPEN))
+    *found, last = judged(pool, *right, *wrong, Task("slow-timer", OPEN))
     assert [each.verdict for each in found] == ["solved"] * len(right) + ["not yet"] * len(wrong)
     assert all(each.why and each.hint for each in found[len(right) :])
     text = f"\n{answer_in(CELLS['slow-timer'][0])}"
@@ -87,29 +87,29 @@ HOSTILE = {
 }
 
 
-def test_nothing_that_an_answer_does_is_solved(at_work: Lanes) -> None:
-    for text, found in zip(HOSTILE, judged(at_work, *(Task("ten-hertz", text) for text in HOSTILE)), strict=True):
+def test_nothing_that_an_answer_does_is_solved(pool: Pool) -> None:
+    for text, found in zip(HOSTILE, judged(pool, *(Task("ten-hertz", text) for text in HOSTILE)), strict=True):
         kind, said = HOSTILE[text]
         assert not found.solved and found.verdict.startswith(kind) and said in found.said, (text[:99], found)
 
 
-def test_an_answer_has_a_gigabyte(at_work: Lanes) -> None:
+def test_an_answer_has_a_gigabyte(pool: Pool) -> None:
     tries = """for size in (1 << 29, 1 << 31):
     try:
         print(len(bytearray(size)))
     except MemoryError:
         print("no")"""
-    (found,) = judged(at_work, Task("ten-hertz", tries))
+    (found,) = judged(pool, Task("ten-hertz", tries))
     assert found.console == f"{1 << 29}\nno\n"
 
 
-def test_an_exercise_that_there_is_not(at_work: Lanes) -> None:
-    (found,) = judged(at_work, Task("zz-top", "x = 1"))
+def test_an_exercise_that_there_is_not(pool: Pool) -> None:
+    (found,) = judged(pool, Task("zz-top", "x = 1"))
     assert found.verdict == "not judged" and "there is no exercise 'zz-top'" in found.said
 
 
 def test_ctrl_c_keeps_what_is_done() -> None:
-    own = Lanes()
+    own = Pool()
     found = {}
     before = signal.getsignal(signal.SIGINT)
 
@@ -128,7 +128,7 @@ def test_ctrl_c_keeps_what_is_done() -> None:
 
 def judge(*args: str, cwd: Path | None = None) -> tuple[int, str, str]:
     """Status, stdout and stderr of ``rosspin judge ARGS`` in a process of its own, as patient as this one."""
-    code = "import sys, rosspin.grading.lanes as l, rosspin.__main__ as m; l.TIME = 300; sys.exit(m.main())"
+    code = "import sys, rosspin.grading.pool as p, rosspin.__main__ as m; p.TIME = 300; sys.exit(m.main())"
     words = [sys.executable, "-c", code, "judge", *args]
     done = subprocess.run(words, cwd=cwd, capture_output=True, text=True, timeout=NEVER)
     return done.returncode, done.stdout, done.stderr

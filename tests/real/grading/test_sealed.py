@@ -18,9 +18,9 @@ from typing import Any
 import pytest
 
 from rosspin.exercises import Verdict
-from rosspin.grading import lanes, sealed, worker
+from rosspin.grading import pool, sealed, worker
 from rosspin.grading.filtered import _ALLOWED
-from rosspin.grading.lanes import Lanes, Task
+from rosspin.grading.pool import Pool, Task
 from tests.helpers.answers import CELLS, IN_CPP
 from tests.helpers.command_line import NEVER
 from tests.helpers.hostile import ATTACKS, got_in, teachers_services, written
@@ -32,7 +32,7 @@ SOLVED = CELLS["slow-timer"][1].source
 _SECRET = {"SECRET": "TOPSECRET"}
 
 # As patient as this process is with a busy machine.
-_PATIENT = "import sys, rosspin.grading.lanes as l, rosspin.__main__ as m; l.TIME = 300; sys.exit(m.main())"
+_PATIENT = "import sys, rosspin.grading.pool as p, rosspin.__main__ as m; p.TIME = 300; sys.exit(m.main())"
 
 
 @pytest.fixture
@@ -224,7 +224,7 @@ def _judges(pid: int) -> list[int]:
 
 
 def test_an_answer_ends_nothing_of_the_next_one(user: str, folder: Path) -> None:
-    """Neither by its signals, nor by what it leaves in its folder or its pipe, nor by ending the lane."""
+    """Neither by its signals, nor by what it leaves in its folder or its pipe, nor by ending the worker."""
     leaves = "import os\nprint('found', os.listdir(), oct(os.stat('.').st_mode))\n"
     leaves += "open('x', 'x').write('a')\nos.chmod('.', 0)"
     closes = (
@@ -269,16 +269,16 @@ def test_wherever_the_package_and_the_teacher_s_exercises_are(user: str, folder:
 
 
 @pytest.fixture
-def made_lanes(require: Callable[[str], None], monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Lanes]]:
+def made_pools(require: Callable[[str], None], monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Pool]]:
     require("bwrap")
-    monkeypatch.setattr(lanes, "TIME", 300)
-    made: list[Lanes] = []
+    monkeypatch.setattr(pool, "TIME", 300)
+    made: list[Pool] = []
     yield made
     for each in made:
         each.close()
 
 
-def judged(made: Lanes, *texts: str) -> list[Verdict]:
+def judged(made: Pool, *texts: str) -> list[Verdict]:
     found: dict[int, Verdict] = {}
     made.judge([Task("ten-hertz", text) for text in texts], found.__setitem__)
     return [found[number] for number in range(len(texts))]
@@ -286,26 +286,26 @@ def judged(made: Lanes, *texts: str) -> list[Verdict]:
 
 @pytest.mark.parametrize("unsealed", [False, True])
 def test_an_answer_that_never_ends_is_ended(
-    unsealed: bool, made_lanes: list[Lanes], monkeypatch: pytest.MonkeyPatch
+    unsealed: bool, made_pools: list[Pool], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if unsealed:
         monkeypatch.setattr(shutil, "which", lambda name: None)
-    made_lanes.append(Lanes(unsealed))
-    monkeypatch.setattr(lanes, "TIME", 1)
+    made_pools.append(Pool(unsealed))
+    monkeypatch.setattr(pool, "TIME", 1)
     (found,) = judged(
-        made_lanes[0], "import ctypes\nctypes.PyDLL(None).sleep(600)  # which keeps the interpreter's lock"
+        made_pools[0], "import ctypes\nctypes.PyDLL(None).sleep(600)  # which keeps the interpreter's lock"
     )
     assert found.verdict == "did not end" and "It was ended after 1 s." in found.said
 
 
 @pytest.mark.parametrize("make", ["os.close(os.open(name, os.O_CREAT))", "os.mkdir(name)", "os.symlink('x', name)"])
-def test_an_answer_that_makes_files_without_end_is_ended(make: str, made_lanes: list[Lanes]) -> None:
+def test_an_answer_that_makes_files_without_end_is_ended(make: str, made_pools: list[Pool]) -> None:
     """They are in the kernel's memory, however little is in them."""
-    made_lanes.append(Lanes())
+    made_pools.append(Pool())
     text = f"import itertools, os\nfor name in map(str, itertools.count()):\n    {make}"
-    (found,) = judged(made_lanes[0], text)
+    (found,) = judged(made_pools[0], text)
     assert found.verdict == "not judged" and "Its Python broke down" in found.said
-    (found,) = judged(made_lanes[0], "import os\nfor name in map(str, range(500)):\n    " + make)
+    (found,) = judged(made_pools[0], "import os\nfor name in map(str, range(500)):\n    " + make)
     assert found.verdict == "not yet" and "broke down" not in found.said
 
 
@@ -318,11 +318,11 @@ def test_an_answer_that_makes_files_without_end_is_ended(make: str, made_lanes: 
     ],
 )
 def test_an_answer_whose_seals_do_not_hold_does_not_run(
-    broken: str, name: str, made_lanes: list[Lanes], monkeypatch: pytest.MonkeyPatch
+    broken: str, name: str, made_pools: list[Pool], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """They held when the first lane was tried, and do not in a later one."""
-    own = Lanes()
-    made_lanes.append(own)
+    """They held when the first worker was tried, and do not in a later one."""
+    own = Pool()
+    made_pools.append(own)
     own.close()
     before, after = sealed._START.split("work(given, own)")
     begins = f"{before}import os, resource\nfrom rosspin.grading import worker as w\n"
@@ -333,11 +333,11 @@ def test_an_answer_whose_seals_do_not_hold_does_not_run(
     assert f"It could not be sealed as it has to be, so nothing of it has run. (It said: {name}.)" in found.said
 
 
-def test_where_no_later_lane_can_be_sealed_nothing_more_runs(
-    made_lanes: list[Lanes], monkeypatch: pytest.MonkeyPatch
+def test_where_no_later_worker_can_be_sealed_nothing_more_runs(
+    made_pools: list[Pool], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    own = Lanes(unsealed=True)
-    made_lanes.append(own)
+    own = Pool(unsealed=True)
+    made_pools.append(own)
     own.close()
     monkeypatch.setattr(shutil, "which", lambda name: None)
     (found,) = judged(own, "print('it runs')")
@@ -361,10 +361,10 @@ def test_what_bubblewrap_made_is_looked_up(
     (folder / "bwrap").chmod(0o755)
     monkeypatch.setenv("PATH", f"{folder}{os.pathsep}{os.environ['PATH']}")
     if left_out == "--clearenv":
-        Lanes().close()  # what a lane has of an environment it takes away
+        Pool().close()  # what a worker has of an environment it takes away
     else:
         with pytest.raises(sealed.CannotSeal, match=f"no {left_out.removeprefix('--unshare-')} namespace"):
-            Lanes()
+            Pool()
 
 
 def test_a_python_may_lie_in_the_folder_of_temporary_files(
@@ -375,12 +375,12 @@ def test_a_python_may_lie_in_the_folder_of_temporary_files(
         Path(place).chmod(0o755)
         (Path(place) / "part").write_text("of it")
         monkeypatch.setattr(sealed, "_LIBRARIES", (*sealed._LIBRARIES, place))
-        lanes = Lanes()
+        pool = Pool()
         try:
             text = f"import os\nopen('own', 'w')\nprint(open({place + '/part'!r}).read(), os.getcwd(), os.listdir())"
-            (verdict,) = judged(lanes, text)
+            (verdict,) = judged(pool, text)
         finally:
-            lanes.close()
+            pool.close()
     assert verdict.said.startswith("of it /answer ['own']\n")
 
 
@@ -481,11 +481,11 @@ def test_in_a_container_that_allows_no_bubblewrap(user: str, folder: Path) -> No
     assert sorted(os.listdir(folder)) == ["bus.sock", "class", "secret"]
 
 
-def test_where_there_is_no_proc_nothing_is_sealed(made_lanes: list[Lanes], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_where_there_is_no_proc_nothing_is_sealed(made_pools: list[Pool], monkeypatch: pytest.MonkeyPatch) -> None:
     exists = os.path.exists
     monkeypatch.setattr(os.path, "exists", lambda path: not str(path).startswith("/proc") and exists(path))
     with pytest.raises(sealed.CannotSeal, match="there is no /proc here, which bubblewrap needs"):
-        Lanes()
+        Pool()
 
 
 # --- without it -------------------------------------------------------------------------------------------------------

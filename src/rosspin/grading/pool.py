@@ -1,8 +1,8 @@
 """Judge answers in processes of their own, several at a time.
 
-Each lane is a process that has imported everything, and forks twice for each answer. The first child runs the answer
+Each worker is a process that has imported everything, and forks twice for each answer. The first child runs the answer
 and writes down what it did. The second judges these notes: nothing of the answer has run in it. What either sends is a
-text of limited length, which is checked before it is believed. A lane that an answer has changed is replaced.
+text of limited length, which is checked before it is believed. A worker that an answer has changed is replaced.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from ..run.kinds import written_in
 from .sealed import CannotSeal, Process
 from .worker import AS_BEFORE, OPEN, SEALED
 
-__all__ = ["LOOK", "Lanes", "Task", "not_judged"]
+__all__ = ["LOOK", "Pool", "Task", "not_judged"]
 
 LOOK = 0.2
 """How long (s) to wait at most for anything before looking at the time, and whether to stop."""
@@ -55,7 +55,7 @@ class Task(NamedTuple):
 _Job = tuple[int, Task, str | None]
 
 
-class _Lane:
+class _Worker:
     """A process, and what it is doing: the task of this number, which it runs, or judges if there is a trace."""
 
     def __init__(self, sealed: bool) -> None:
@@ -137,14 +137,14 @@ class _Lane:
         return self.outcome()[0] or ""
 
 
-class Lanes:
+class Pool:
     """Judges tasks, as many at a time as there are processors. Ctrl-C, and SIGTERM, make it stop.
 
     ``why`` says why answers are not sealed; it is empty if they are.
     """
 
     def __init__(self, unsealed: bool = False) -> None:
-        """Start a lane. If answers cannot be sealed, they have to be allowed to be ``unsealed``.
+        """Start a worker. If answers cannot be sealed, they have to be allowed to be ``unsealed``.
 
         Otherwise :class:`CannotSeal` is raised.
         """
@@ -152,17 +152,17 @@ class Lanes:
         self.why = ""
         self._number = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
         try:
-            lane = _Lane(sealed=True)
-            if why := lane.tried():
-                lane.process.end()
+            worker = _Worker(sealed=True)
+            if why := worker.tried():
+                worker.process.end()
                 raise CannotSeal(why)
         except CannotSeal as error:
             if not unsealed:
                 raise
             self.why = str(error)
-            lane = _Lane(sealed=False)
-        self._idle = [lane]
-        self._at_work: list[_Lane] = []
+            worker = _Worker(sealed=False)
+        self._idle = [worker]
+        self._at_work: list[_Worker] = []
 
     def judge(self, tasks: Iterable[Task], done: Callable[[int, Verdict], None]) -> None:
         """Judge tasks, and call ``done`` with the number of each, from 0 on, and its verdict, in the order they come.
@@ -177,8 +177,8 @@ class Lanes:
                         self._begin(waiting.popleft(), done)
                     self._look(waiting, done)
             finally:
-                for lane in self._at_work:
-                    lane.process.end()
+                for worker in self._at_work:
+                    worker.process.end()
                 self._at_work = []
 
     @contextmanager
@@ -194,9 +194,9 @@ class Lanes:
                 signal.signal(number, handler)
 
     def close(self) -> None:
-        """End all lanes."""
-        for lane in self._idle:
-            lane.process.end()
+        """End all workers."""
+        for worker in self._idle:
+            worker.process.end()
         self._idle = []
 
     def _stop(self, number: int, frame: object) -> None:
@@ -214,42 +214,42 @@ class Lanes:
                 done(number, not_judged(task, f"{error}."))
                 return
         try:
-            lane = self._idle.pop() if self._idle else _Lane(not self.why)
+            worker = self._idle.pop() if self._idle else _Worker(not self.why)
         except (CannotSeal, OSError) as error:
             done(number, not_judged(task, _NOT_SEALED if isinstance(error, CannotSeal) else str(error)))
             return
-        self._at_work.append(lane)
-        lane.begin(number, task, trace)
+        self._at_work.append(worker)
+        worker.begin(number, task, trace)
 
     def _look(self, waiting: deque[_Job], done: Callable[[int, Verdict], None]) -> None:
         with selectors.DefaultSelector() as selector:
-            for lane in self._at_work:
-                for file, events in lane.waits_for:
+            for worker in self._at_work:
+                for file, events in worker.waits_for:
                     selector.register(file, events)
             selector.select(LOOK)
-        for lane in [*self._at_work]:
-            if lane.work():
-                self._go_on(lane, waiting, done)
-            elif lane.deadline < time.monotonic():
-                self._at_work.remove(lane)
-                lane.process.end()
-                said = f"It was ended after {lane.time} s."
-                done(lane.number, not_judged(lane.task, said)._replace(verdict="did not end"))
+        for worker in [*self._at_work]:
+            if worker.work():
+                self._go_on(worker, waiting, done)
+            elif worker.deadline < time.monotonic():
+                self._at_work.remove(worker)
+                worker.process.end()
+                said = f"It was ended after {worker.time} s."
+                done(worker.number, not_judged(worker.task, said)._replace(verdict="did not end"))
 
-    def _go_on(self, lane: _Lane, waiting: deque[_Job], done: Callable[[int, Verdict], None]) -> None:
+    def _go_on(self, worker: _Worker, waiting: deque[_Job], done: Callable[[int, Verdict], None]) -> None:
         """Have what was noted judged, or tell the verdict."""
-        self._at_work.remove(lane)
-        why, sent = lane.outcome()
-        if lane.is_as_before:
-            self._idle.append(lane)
+        self._at_work.remove(worker)
+        why, sent = worker.outcome()
+        if worker.is_as_before:
+            self._idle.append(worker)
         else:
-            lane.process.end()
+            worker.process.end()
         if why:
-            done(lane.number, not_judged(lane.task, why))
-        elif lane.traced:
-            done(lane.number, _verdict(lane.task, sent))
+            done(worker.number, not_judged(worker.task, why))
+        elif worker.traced:
+            done(worker.number, _verdict(worker.task, sent))
         else:
-            waiting.appendleft((lane.number, lane.task, sent.decode("utf-8", "replace")))
+            waiting.appendleft((worker.number, worker.task, sent.decode("utf-8", "replace")))
 
 
 def _verdict(task: Task, sent: bytes) -> Verdict:
