@@ -16,15 +16,15 @@ from typing import Any, NamedTuple
 from ..vehicle.drawn import drawn
 from .feedback import Feedback, Finding
 from .judging import Answer, Fails
+from .observed import ObservedRun
 from .own import EXERCISES, Exercise
 from .reach import reaches_for
 from .running import Runner
-from .seen import Seen
 from .traces import Misfit, Outcome, Request, Trace, read, write
 
 __all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "Misfit", "check", "judge", "trace"]
 
-_NOTHING = Seen(0.0, (), (), (), (), (), (), (), (), 0, (), False, None, False, ())
+_NOTHING = ObservedRun(0.0, (), (), (), (), (), (), (), (), 0, (), False, None, False, ())
 _CUT = "the node did so much that not all of it was looked at."
 _LESS = "It should print and publish no more than the exercise asks for."
 
@@ -48,15 +48,15 @@ def trace(which: int | str, answer: Any) -> str:
     Raises ValueError if there is no such exercise.
     """
     exercise = _exercise(which)
-    run = Runner(answer, exercise.ros)
+    runner = Runner(answer, exercise.ros)
     outcomes: list[Outcome] = []
 
     def ask(request: Request) -> Outcome:
-        outcomes.append(run(request))
+        outcomes.append(runner(request))
         return outcomes[-1]
 
     _find(exercise, Answer(answer, exercise.ros, exercise.languages, ask))  # to hear what it asks for
-    return write(Trace(exercise.name, run.console, run.cut, tuple(outcomes)))
+    return write(Trace(exercise.name, runner.console, runner.cut, tuple(outcomes)))
 
 
 def judge(which: int | str, answer: Any, traced: str) -> Feedback:
@@ -86,7 +86,7 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
         findings.append(Finding(False, _CUT, _LESS))
     first = next((finding.hint for finding in findings if not finding.right), "")
     hint = (console and first) or early or first or exercise.hint(answer)
-    return Feedback(exercise.number, tuple(findings), hint, console, whole=whole, drive=_seen_first(outcomes).drive)
+    return Feedback(exercise.number, tuple(findings), hint, console, whole=whole, drive=_first_run(outcomes).drive)
 
 
 def drawing(name: str, traced: str) -> list[str]:
@@ -95,15 +95,15 @@ def drawing(name: str, traced: str) -> list[str]:
     It raises nothing, and returns nothing for what is no trace of the exercise of this name.
     """
     try:
-        seen = _seen_first(read(traced, name).outcomes)
-        ticks = sorted(time for timer in seen.timers for time in timer.calls)
-        return drawn(seen.drive, ticks, seen.seconds)
+        run = _first_run(read(traced, name).outcomes)
+        ticks = sorted(time for timer in run.timers for time in timer.calls)
+        return drawn(run.drive, ticks, run.seconds)
     except Exception:  # a trace may be made of anything
         return []
 
 
-def _seen_first(outcomes: Sequence[Outcome]) -> Seen:
-    return outcomes[0].seen or _NOTHING if outcomes else _NOTHING
+def _first_run(outcomes: Sequence[Outcome]) -> ObservedRun:
+    return outcomes[0].run or _NOTHING if outcomes else _NOTHING
 
 
 class Verdict(NamedTuple):

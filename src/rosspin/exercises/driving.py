@@ -10,7 +10,7 @@ from ..vehicle.drives import OTHERS, Command, Spot, say_off
 from ..vehicle.physics import EDGE, FASTEST, Place, Vehicle
 from .feedback import Finding
 from .judging import plain, say
-from .seen import Seen
+from .observed import ObservedRun
 
 __all__ = ["commands", "driver_cpp", "follows", "stands", "unmoved"]
 
@@ -73,19 +73,19 @@ def driver_cpp(period: str) -> str:
     return _DRIVER_CPP.replace("PERIOD", period)
 
 
-def commands(seen: Seen, first: float = 0.0, last: float = float("inf")) -> list[Command]:
+def commands(run: ObservedRun, first: float = 0.0, last: float = float("inf")) -> list[Command]:
     """Return the commands of the answer from one time (s) to another, without what other nodes sent."""
-    return [each for each in seen.drive.commands if each.node not in OTHERS and first <= each.time <= last]
+    return [each for each in run.drive.commands if each.node not in OTHERS and first <= each.time <= last]
 
 
-def unmoved(seen: Seen) -> Finding | None:
+def unmoved(run: ObservedRun) -> Finding | None:
     """Find out why the vehicle was sent nothing that moves it; None if it was."""
-    sent = commands(seen)
+    sent = commands(run)
     if any(command.speed for command in sent):
-        if _way(seen.drive.spots) > _STILL:
+        if _way(run.drive.spots) > _STILL:
             return None
         text = f"a command came on `/cmd_vel`, at {say(sent[0].time)}, but it did not reach the vehicle."
-        types = {plain(each.type) for each in seen.sent if each.topic == "/cmd_vel"}
+        types = {plain(each.type) for each in run.sent if each.topic == "/cmd_vel"}
         hint = "Messages published before the nodes find each other are lost: publish from a timer, again and again."
         if not any(name.endswith("Twist") for name in types):
             hint = f"The vehicle takes messages of the type `Twist`, and these are of another one: {', '.join(types)}."
@@ -94,36 +94,38 @@ def unmoved(seen: Seen) -> Finding | None:
         text = f"each of {len(sent)} commands has a speed of 0: the vehicle never moved."
         return Finding(False, text, "`command.linear.x = 2.0`: a new `Twist` is all zeros.")
     text = "no command came on `/cmd_vel`: the vehicle never moved."
-    ends = seen.ends_of("/cmd_vel", True)
-    slow = [timer.period for timer in seen.timers if not timer.calls and timer.period > seen.seconds]
-    if ends and slow:
+    endpoints = run.endpoints_of("/cmd_vel", True)
+    slow = [timer.period for timer in run.timers if not timer.calls and timer.period > run.seconds]
+    if endpoints and slow:
         hint = f"The timer's period is {say(slow[0])}: its first call is not due before the run ends, at"
-        return Finding(False, text, f"{hint} {say(seen.seconds)}.")
-    if ends:
+        return Finding(False, text, f"{hint} {say(run.seconds)}.")
+    if endpoints:
         return Finding(False, text, "There is a publisher. Does a timer publish with it, again and again?")
-    others = [end.topic for end in seen.ends if end.publishes and end.topic not in ("/rosout", "/parameter_events")]
+    others = [
+        each.topic for each in run.endpoints if each.publishes and each.topic not in ("/rosout", "/parameter_events")
+    ]
     others = [topic for topic in others if topic not in ("/line", "/pose", "/picture")]
     where = f"It publishes on `{plain(others[0])}`. " if others else ""
     return Finding(False, text, f"{where}The vehicle listens to `cmd_vel`.")
 
 
 def follows(
-    seen: Seen, hint: str = "", first: float = 0.0, last: float = float("inf"), speed: float = FASTEST
+    run: ObservedRun, hint: str = "", first: float = 0.0, last: float = float("inf"), speed: float = FASTEST
 ) -> Finding:
     """Whether the vehicle drives at its ``speed`` (m/s) from one time (s) to another, and keeps to its line.
 
     ``hint`` is for whoever steers it well, but too late.
     """
-    if wrong := unmoved(seen):
+    if wrong := unmoved(run):
         return wrong
-    spots = [spot for spot in seen.drive.spots if first <= spot.time <= last]
-    sent = [command for command in commands(seen, first, last) if command.speed]
+    spots = [spot for spot in run.drive.spots if first <= spot.time <= last]
+    sent = [command for command in commands(run, first, last) if command.speed]
     if not sent:
         return Finding(False, f"from {say(first)} on no command moved the vehicle.", hint)
     worst = max(spots, key=lambda spot: spot.off)
     way, could = _way(spots), speed * (spots[-1].time - max(sent[0].time, first))
     if worst.off > EDGE:
-        return Finding(False, f"the vehicle {say_off(worst.off, worst.time)}.", _why(seen, sent) or hint)
+        return Finding(False, f"the vehicle {say_off(worst.off, worst.time)}.", _why(run, sent) or hint)
     if could <= 0 or way < _LEAST * could:
         text = f"the vehicle keeps to its line, but drove {way:.1f} m where {could:.1f} m are asked for."
         slow = f"Its speed was {sent[0].speed:g} m/s. " if sent[0].speed < speed else ""
@@ -131,9 +133,9 @@ def follows(
     return Finding(True, f"the vehicle {say_off(worst.off, worst.time)}.")
 
 
-def stands(seen: Seen, first: float, last: float, hint: str) -> Finding:
+def stands(run: ObservedRun, first: float, last: float, hint: str) -> Finding:
     """Whether the vehicle stands still from one time (s) to another."""
-    spots = [spot for spot in seen.drive.spots if first <= spot.time <= last]
+    spots = [spot for spot in run.drive.spots if first <= spot.time <= last]
     way = _way(spots)
     if way > _STILL:
         return Finding(False, f"from {say(first)} to {say(last)} the vehicle drove {way:.1f} m.", hint)
@@ -144,7 +146,7 @@ def _way(spots: Sequence[Spot]) -> float:
     return sum(math.dist(one[1:3], other[1:3]) for one, other in pairwise(spots))
 
 
-def _why(seen: Seen, sent: Sequence[Command]) -> str:
+def _why(run: ObservedRun, sent: Sequence[Command]) -> str:
     """Return a hint for who steers in a wrong way, as opposed to too late; empty if neither is seen."""
     if not any(command.turn for command in sent):
         return "In each command, the turn is 0: nothing steers. `command.angular.z` is the turn, in rad/s to the left."
@@ -152,7 +154,7 @@ def _why(seen: Seen, sent: Sequence[Command]) -> str:
         return f"The turn is {sent[0].turn:g} in each command. Is it made from the newest offset, each time?"
     vehicle, away = Vehicle(), 0
     for command in sent[:20]:
-        spot = min(seen.drive.spots, key=lambda spot: abs(spot.time - command.time))
+        spot = min(run.drive.spots, key=lambda spot: abs(spot.time - command.time))
         vehicle.place = Place(spot.x, spot.y, spot.heading)
         away += 1 if vehicle.offset * command.turn < 0 else -1
     return "It turns away from the line. Both the offset and the turn are positive to the left." if away > 0 else ""

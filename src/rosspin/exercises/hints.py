@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from .judging import plain, say
-from .seen import Printed, Seen
+from .observed import ObservedRun, Printed
 
 __all__ = ["for_counters", "for_naps", "for_none", "for_times"]
 
@@ -62,32 +62,32 @@ def for_times(found: Sequence[Printed], wanted: Sequence[float], hint: str = "")
     return hint
 
 
-def for_naps(seen: Seen, found: Sequence[Printed], wanted: Sequence[float]) -> str:
+def for_naps(run: ObservedRun, found: Sequence[Printed], wanted: Sequence[float]) -> str:
     """Return a hint on counters that come late because a timer's callback sleeps; empty if none does."""
-    if not seen.naps or all(line.time < time + _CLOSE for line, time in zip(found, wanted, strict=False)):
+    if not run.naps or all(line.time < time + _CLOSE for line, time in zip(found, wanted, strict=False)):
         return ""
-    return f"The callback sleeps, at line {seen.naps[0]}, and its timer calls it again only when it has returned."
+    return f"The callback sleeps, at line {run.naps[0]}, and its timer calls it again only when it has returned."
 
 
-def for_none(seen: Seen, tag: str, hint: str = "") -> str:
+def for_none(run: ObservedRun, tag: str, hint: str = "") -> str:
     """Return a hint on counters of a ``tag`` of which none came; ``hint`` if the run does not show why."""
     sign = re.compile(rf"\[\s*{tag}\s*\]|\b{tag}\b|counter", re.IGNORECASE)
-    others = {"FAST", "SLOW", "HEARTBEAT", "MOTOR", "CAMERA", "ROBOT", "LISTENER", seen.tag} - {tag}
-    for line in seen.printed:
+    others = {"FAST", "SLOW", "HEARTBEAT", "MOTOR", "CAMERA", "ROBOT", "LISTENER", run.tag} - {tag}
+    for line in run.printed:
         text = line.text.strip().rpartition("]: ")[2]
-        if line.time <= seen.seconds and sign.search(text) and not any(f"[{other}]" in text for other in others):
+        if line.time <= run.seconds and sign.search(text) and not any(f"[{other}]" in text for other in others):
             return f"The lines should read `[{tag}] counter = 1` and so on. The node printed `{plain(text)}`."
-    if any(timer.state == "stopped" and not timer.calls for timer in seen.timers):
+    if any(timer.state == "stopped" and not timer.calls for timer in run.timers):
         return "A timer of the node was stopped before its first call, or never started."
-    if not seen.timers and seen.interrupted and not seen.printed:
+    if not run.timers and run.interrupted and not run.printed:
         return hint or "The node has no timer, and printed nothing. What should call the callback?"
-    slow = [timer for timer in seen.timers if not timer.calls and timer.period > seen.seconds]
-    if slow and seen.interrupted:
-        period, end = say(slow[0].period), say(seen.seconds)
+    slow = [timer for timer in run.timers if not timer.calls and timer.period > run.seconds]
+    if slow and run.interrupted:
+        period, end = say(slow[0].period), say(run.seconds)
         late = (
             f"A timer of the node has a period of {period}, so its first call is not due before the run ends, at {end}."
         )
         return f"{late} {hint or _PERIOD}"
-    if not seen.printed and any(timer.calls for timer in seen.timers):
+    if not run.printed and any(timer.calls for timer in run.timers):
         return "A timer called its callback, but that printed nothing. Lines that are logged as debug are not shown."
     return hint

@@ -11,7 +11,7 @@ from ..clocks.clock import NS
 from ..programs import Running
 from ..world.world import World
 from .judging import plain
-from .seen import Error, Printed, SeenTimer
+from .observed import Error, ObservedTimer, Printed
 from .watched import Watched
 
 __all__ = ["InCpp", "errors", "that_stopped"]
@@ -68,8 +68,8 @@ class InCpp:
 
 
 def that_stopped(
-    timers: Iterable[SeenTimer], numbers: dict[Any, int], printed: Sequence[Printed], world: World
-) -> tuple[SeenTimer, ...]:
+    timers: Iterable[ObservedTimer], numbers: dict[Any, int], printed: Sequence[Printed], world: World
+) -> tuple[ObservedTimer, ...]:
     """Return timers as they are at the end: a program that Ctrl-C has ended has told which calls would come next.
 
     ``numbers`` are theirs, by their sources. The name of its logger says which node a timer is of.

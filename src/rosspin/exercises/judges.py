@@ -13,9 +13,9 @@ from typing import Concatenate, ParamSpec
 from .feedback import Finding
 from .hints import for_counters, for_naps, for_none, for_times
 from .judging import Answer, Judge, above, hint_for_kept, plain, say, say_error, say_kept
-from .seen import Printed, Seen
+from .observed import ObservedRun, Printed
 
-Check = Callable[[Seen, str], Finding | None]
+Check = Callable[[ObservedRun, str], Finding | None]
 """Looks at one run of an answer. It is told in words which run; an empty text stands for the only one."""
 
 P = ParamSpec("P")
@@ -27,9 +27,9 @@ CLOSE = 1.5e-3
 _TURNS = "when the threads take turns at every line"
 
 
-def _check(look: Callable[Concatenate[Seen, str, P], Finding | None]) -> Callable[P, Check]:
+def _check(look: Callable[Concatenate[ObservedRun, str, P], Finding | None]) -> Callable[P, Check]:
     """Make a check whose other arguments a question gives."""
-    return lambda *args, **kwargs: lambda seen, when: look(seen, when, *args, **kwargs)
+    return lambda *args, **kwargs: lambda run, when: look(run, when, *args, **kwargs)
 
 
 # --- how an answer is run ---------------------------------------------------------------------------------------------
@@ -46,8 +46,8 @@ def run(
     """Run an answer, which has to end well, and check it. ``when`` begins each sentence (default: what was given)."""
 
     def judge(answer: Answer) -> Iterator[Finding]:
-        seen = answer.run(seconds, given, allowed=allowed, stalls_at=stalls_at)
-        yield from _found(seen, when or _with(given), checks)
+        run = answer.run(seconds, given, allowed=allowed, stalls_at=stalls_at)
+        yield from _found(run, when or _with(given), checks)
 
     return judge
 
@@ -107,8 +107,8 @@ def until_wrong(*judges: Judge) -> Judge:
     return judge
 
 
-def _found(seen: Seen, when: str, checks: Sequence[Check]) -> Iterator[Finding]:
-    return (finding for check in checks if (finding := check(seen, when)))
+def _found(run: ObservedRun, when: str, checks: Sequence[Check]) -> Iterator[Finding]:
+    return (finding for check in checks if (finding := check(run, when)))
 
 
 def _with(given: str) -> str:
@@ -177,7 +177,7 @@ Hint = Callable[[Sequence[Printed]], str]
 
 @_check
 def ticks(
-    seen: Seen,
+    run: ObservedRun,
     when: str,
     period: float = 0.0,
     name: str = "",
@@ -193,13 +193,13 @@ def ticks(
     The periods go from ``start`` (default: after one period) ``until`` a time (default: the end of the run). ``tag`` is
     what is printed before a counter, if not the tag of the spinner nodes; ``name`` says whose the counters are.
     """
-    found, wanted = seen.counters(tag), [*at, *(grid(period, until or seen.seconds, start) if period else ())]
+    found, wanted = run.counters(tag), [*at, *(grid(period, until or run.seconds, start) if period else ())]
     what = ", ".join(filter(None, (when, name)))
     said = hint if isinstance(hint, str) else hint(found)
     if not found:
-        said = for_none(seen, tag or seen.tag, said)
-    elif seen.interrupted:
-        said = for_times(found, wanted, said or for_naps(seen, found, wanted))
+        said = for_none(run, tag or run.tag, said)
+    elif run.interrupted:
+        said = for_times(found, wanted, said or for_naps(run, found, wanted))
     return on_time(found, wanted, what, said)
 
 
@@ -227,16 +227,16 @@ def unless_first_at(time: float, hint: str) -> Hint:
 
 
 @_check
-def stops(seen: Seen, when: str, calls: int, timer: str = "") -> Finding | None:
+def stops(run: ObservedRun, when: str, calls: int, timer: str = "") -> Finding | None:
     """Whether the timers that printed the counters stopped after so many calls. ``timer`` says what a timer is.
 
     Else it is one of ROS 1.
     """
-    timer = timer or f"a `{'ros::Timer' if seen.language == 'cpp' else 'rospy.Timer'}`"
-    counters = seen.counters()
+    timer = timer or f"a `{'ros::Timer' if run.language == 'cpp' else 'rospy.Timer'}`"
+    counters = run.counters()
     if not counters:
         return None
-    timers, others = seen.printers(counters)
+    timers, others = run.printers(counters)
     if others:
         text = f"counter {plain(others[0].text)} was not printed by the callback of {timer}."
         return Finding(False, text, "Use a timer, and stop it.")
@@ -249,10 +249,10 @@ def stops(seen: Seen, when: str, calls: int, timer: str = "") -> Finding | None:
         text = "the timer was not stopped: a call of its callback had not returned in the end."
         return Finding(False, text, "A callback that never returns keeps its thread. Stop the timer and return.")
     if count > calls:
-        text = f"the callback was called {count} times in {say(seen.seconds)}, where {calls} would do."
+        text = f"the callback was called {count} times in {say(run.seconds)}, where {calls} would do."
         silent = "A callback that returns immediately is still called. Stop the timer itself."
         return Finding(False, text, silent if count > len(counters) else "")
-    if "running" in states and seen.interrupted:
+    if "running" in states and run.interrupted:
         return Finding(False, "the timer still runs.", "Stop the timer itself.")
     return Finding(True, "the timer has stopped.") if "running" not in states else None
 
@@ -261,12 +261,12 @@ def stops(seen: Seen, when: str, calls: int, timer: str = "") -> Finding | None:
 
 
 @_check
-def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Finding:
+def drives_until(run: ObservedRun, when: str, end: float, again: str, late: str) -> Finding:
     """Whether the motor is driven until the time ``end`` (s), and stands still from then on.
 
     ``again`` is the hint if it is then driven again, ``late`` the hint if it is not stopped immediately.
     """
-    printed = [(line.time, as_number(line.text)) for line in seen.values("MOTOR", "speed")]
+    printed = [(line.time, as_number(line.text)) for line in run.values("MOTOR", "speed")]
     commands = [(time, speed) for time, speed in printed if speed is not None]
     driven = [time for time, speed in commands if speed and time < end]
     paused = [time for time, speed in commands if not speed and time < end - CLOSE]
@@ -285,33 +285,33 @@ def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Fi
         return Finding(False, text, again)
     if time > end + 0.5:
         text = f"{when} at {say(end)}: the motor was not stopped before {say(time)}."
-        return Finding(False, text, late if end < seen.seconds else "Stop it first: what does the node wait for?")
+        return Finding(False, text, late if end < run.seconds else "Stop it first: what does the node wait for?")
     return Finding(True, f"{when}: the motor was stopped at {say(time)}.")
 
 
-def ends_well(seen: Seen, when: str) -> Finding:
+def ends_well(run: ObservedRun, when: str) -> Finding:
     """Whether a signal has ended a node of ROS 2 with status 0, without a traceback."""
-    if seen.killed:
-        return Finding(False, f"{when}: the node did not end: {say_kept(seen, 2)}", hint_for_kept(seen))
-    if seen.errors:
-        error = seen.errors[-1]
+    if run.killed:
+        return Finding(False, f"{when}: the node did not end: {say_kept(run, 2)}", hint_for_kept(run))
+    if run.errors:
+        error = run.errors[-1]
         caught = (
             "In the main part, Ctrl-C raises `KeyboardInterrupt`. SIGTERM ends what spins with "
             "`ExternalShutdownException`. Catch both around `spin`, in whichever thread it is."
         )
         again = "After a signal `rclpy.shutdown()` raises an error; `rclpy.try_shutdown()` does not."
         return Finding(False, f"{when}: the {say_error(error)}", again if error.type == "RCLError" else caught)
-    if seen.status:
-        text = f"{when}: the node ended with status {seen.status} instead of 0."
+    if run.status:
+        text = f"{when}: the node ended with status {run.status} instead of 0."
         return Finding(False, text, "Status 0 says that all is well. A main part that just ends gives it.")
     return Finding(True, f"{when}: the node ended with status 0, without a traceback.")
 
 
 @_check
-def ends_at_sigterm(seen: Seen, when: str, at: float) -> Finding:
+def ends_at_sigterm(run: ObservedRun, when: str, at: float) -> Finding:
     """Whether SIGTERM has ended a node of ROS 2 well, before Ctrl-C could."""
-    if not seen.interrupted:
-        return ends_well(seen, when)
+    if not run.interrupted:
+        return ends_well(run, when)
     hint = (
         "SIGTERM raises nothing in the main part and wakes no Rate. The main part should spin: `spin` notices it. The "
         "loop can be in a thread."
@@ -320,9 +320,9 @@ def ends_at_sigterm(seen: Seen, when: str, at: float) -> Finding:
 
 
 @_check
-def declares(seen: Seen, when: str, name: str) -> Finding | None:
+def declares(run: ObservedRun, when: str, name: str) -> Finding | None:
     """Whether a node of ROS 2 has declared a parameter. Nothing is said of one that has."""
-    if name in seen.parameters or not seen.interrupted:
+    if name in run.parameters or not run.interrupted:
         return None
     text = f"{when}: the node has no parameter `{name}`."
     return Finding(
@@ -340,19 +340,19 @@ def goes_on(seconds: float, *checks: Check, given: str = "", hint: str) -> Judge
     """Run an answer that may hang, and check it first; then it has to end at Ctrl-C. ``hint`` is for one that hangs."""
 
     def judge(answer: Answer) -> Iterator[Finding]:
-        seen = answer.run(seconds, given, has_to_end=False)
+        run = answer.run(seconds, given, has_to_end=False)
         said = _with(given)
-        yield from _found(seen, said, checks)
-        if seen.killed:
+        yield from _found(run, said, checks)
+        if run.killed:
             start = f"{said}: the" if said else "the"
-            yield Finding(False, f"{start} node did not end at Ctrl-C: {say_kept(seen, 2)}", hint)
+            yield Finding(False, f"{start} node did not end at Ctrl-C: {say_kept(run, 2)}", hint)
 
     return judge
 
 
 @_check
 def answered(
-    seen: Seen,
+    run: ObservedRun,
     when: str,
     service: str,
     takes: float = 0.0,
@@ -368,7 +368,7 @@ def answered(
     request that is not asked or not answered, ``overlap`` for one that is answered too soon.
     """
     start = f"{when}: " if when else ""
-    calls = [call for call in seen.calls if call.service == service and call.asked < seen.seconds]
+    calls = [call for call in run.calls if call.service == service and call.asked < run.seconds]
     if not calls:
         return Finding(False, f"{start}`{service}` was never asked.", "The answer should come from the service.")
     wanted, same_often = at or [call.asked for call in calls], "How often it is asked is not to change."
@@ -380,7 +380,7 @@ def answered(
             text = f"{start}`{service}` was asked at {say(calls[number].asked)}, not at {say(time)}."
             return Finding(False, text, same_often)
         due = max(due, time) + takes
-        if due >= seen.seconds:
+        if due >= run.seconds:
             continue
         given = calls[number].answered
         if given is None:
@@ -393,7 +393,7 @@ def answered(
         return Finding(False, text, same_often)
     if len(calls) < least:
         often = "once" if len(calls) == 1 else f"{len(calls)} times"
-        times = f"asked {often} in {say(seen.seconds)}, not {least} times"
+        times = f"asked {often} in {say(run.seconds)}, not {least} times"
         return Finding(False, f"{start}`{service}` was {times}.", same_often)
     return Finding(True, f"{start}`{service}` was asked {len(calls)} times, and each answer came in its turn.")
 
@@ -411,11 +411,11 @@ _ONCE = (
 
 def published_and_heard(answer: Answer) -> Iterator[Finding]:
     """Whether a counter is published every 0.2 s, with the right type, by one publisher, and heard immediately."""
-    seen = answer.run(2.0)
+    run = answer.run(2.0)
     wanted = grid(0.2, 2.0)
-    sent = [message for message in seen.sent if message.topic == "/counter"]
+    sent = [message for message in run.sent if message.topic == "/counter"]
     if not sent:
-        yield _unpublished(seen)
+        yield _unpublished(run)
         return
     if wrong := {message.type for message in sent} - {"std_msgs/UInt32", "UInt32"}:
         text = f"the messages on `/counter` are of the type {plain(', '.join(sorted(wrong)))}, not UInt32."
@@ -428,9 +428,9 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
         return
     on_topic = on_time(counters, wanted, "On `/counter`", for_times(counters, wanted, _EVERY), verb="publish")
     yield on_topic
-    publishers = [end.made for end in seen.ends_of("/counter", True)]
-    heard = seen.values("LISTENER", "counter")
-    listeners, hint = seen.ends_of("/counter", False), _ONCE
+    publishers = [endpoint.made for endpoint in run.endpoints_of("/counter", True)]
+    heard = run.values("LISTENER", "counter")
+    listeners, hint = run.endpoints_of("/counter", False), _ONCE
     if not listeners:
         hint = "Nothing subscribes to `/counter` any more. Leave the listener as it is."
     elif listeners[0].refused:
@@ -455,21 +455,21 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
         yield by_listener
 
 
-def _unpublished(seen: Seen) -> Finding:
+def _unpublished(run: ObservedRun) -> Finding:
     """Say why nothing was published on the topic ``/counter``."""
-    others = dict.fromkeys(f"`{plain(message.topic)}`" for message in seen.sent)
+    others = dict.fromkeys(f"`{plain(message.topic)}`" for message in run.sent)
     if others:
         text = f"nothing was published on `/counter`: it was published on {', '.join(others)}."
         return Finding(False, text, "The publisher uses the listener's topic, letter by letter: `counter`.")
-    made = [end for end in seen.ends if end.publishes and not end.topic.startswith("/rosout")]
-    made = [end for end in made if end.topic != "/parameter_events"]
+    made = [endpoint for endpoint in run.endpoints if endpoint.publishes and not endpoint.topic.startswith("/rosout")]
+    made = [endpoint for endpoint in made if endpoint.topic != "/parameter_events"]
     text = "nothing was published on `/counter`: the node published nothing."
     if not made:
         return Finding(False, text)
-    slow = [timer for timer in seen.timers if not timer.calls and timer.period > seen.seconds]
+    slow = [timer for timer in run.timers if not timer.calls and timer.period > run.seconds]
     if slow:
         period = say(slow[0].period)
-        text = f"nothing was published on `/counter` in {say(seen.seconds)}: the timer's period is {period}."
+        text = f"nothing was published on `/counter` in {say(run.seconds)}: the timer's period is {period}."
         return Finding(False, text, _EVERY)
     return Finding(False, text, "There is a publisher, but nothing publishes with it. The timer's callback should.")
 
@@ -483,9 +483,9 @@ def called_itself(what: str) -> Finding:
 AS_IT_IS = "The sensor should stay as it is. Change how the controller listens to it."
 
 
-def sensor_of(seen: Seen, qos: str) -> Finding | None:
+def sensor_of(run: ObservedRun, qos: str) -> Finding | None:
     """Find out whether ``/position`` has another publisher than the sensor's, with its QoS; None if it has not."""
-    sensors = seen.ends_of("/position", True)
+    sensors = run.endpoints_of("/position", True)
     if len(sensors) > 1:
         return Finding(False, f"the sensor: `/position` has {len(sensors)} publishers, not one.", AS_IT_IS)
     if sensors and sensors[0].qos != qos:
@@ -494,12 +494,16 @@ def sensor_of(seen: Seen, qos: str) -> Finding | None:
     return None
 
 
-def unmatched(seen: Seen) -> Finding | None:
+def unmatched(run: ObservedRun) -> Finding | None:
     """Find out why no subscription to ``/position`` is connected, or one of several is not; None if all are."""
-    ends = seen.ends_of("/position", False)
-    refused = [end for end in ends if end.refused]
-    if not ends:
-        others = [end.topic for end in seen.ends if not end.publishes and end.topic != "/parameter_events"]
+    endpoints = run.endpoints_of("/position", False)
+    refused = [endpoint for endpoint in endpoints if endpoint.refused]
+    if not endpoints:
+        others = [
+            endpoint.topic
+            for endpoint in run.endpoints
+            if not endpoint.publishes and endpoint.topic != "/parameter_events"
+        ]
         where = f": it subscribes to `{plain(others[0])}`" if others else ""
         hint = "The subscription uses the publisher's topic, letter by letter: `position`."
         return Finding(False, f"the controller: nothing subscribes to `/position`{where}.", hint)
@@ -507,7 +511,7 @@ def unmatched(seen: Seen) -> Finding | None:
         text = f"the controller: a subscription with {refused[0].qos} does not match the sensor. Read the warnings."
         is_reliable, asks_for_kept = "best_effort" not in refused[0].qos, "volatile" not in refused[0].qos
         return Finding(False, text, _RELIABLE if is_reliable else _KEPT_TOO if asks_for_kept else _ANOTHER)
-    if not any(end.joined for end in ends):
+    if not any(endpoint.joined for endpoint in endpoints):
         return Finding(False, "the controller: its subscription is not connected to the sensor.", _SAME)
     return None
 
@@ -521,20 +525,20 @@ _KEPT_TOO = (
 
 
 @_check
-def steers_by_the_newest(seen: Seen, when: str, qos: str = "") -> Finding:
+def steers_by_the_newest(run: ObservedRun, when: str, qos: str = "") -> Finding:
     """Whether the controller, whose computation takes 0.33 s, uses the newest of the positions, one every 0.1 s.
 
     ``qos`` is the sensor's, in ROS 2.
     """
-    sent = {as_whole(message.data): message.time for message in seen.sent if message.topic == "/position"}
-    steps = [line for line in seen.values("CONTROLLER", "position") if line.time <= seen.seconds]
+    sent = {as_whole(message.data): message.time for message in run.sent if message.topic == "/position"}
+    steps = [line for line in run.values("CONTROLLER", "position") if line.time <= run.seconds]
     if others := [(number, due) for number, due in zip(sent, count(1), strict=False) if number != due]:
         number, due = others[0]
         return Finding(False, f"the sensor published position {number}, where {due} was due.", AS_IT_IS)
     if len(sent) < 99:
-        text = f"the sensor published {len(sent)} positions in {say(seen.seconds)}, not one every 0.1 s."
+        text = f"the sensor published {len(sent)} positions in {say(run.seconds)}, not one every 0.1 s."
         return Finding(False, text, f"{AS_IT_IS} What calls it every 0.1 s has to be free to do so.")
-    if wrong := unmatched(seen):
+    if wrong := unmatched(run):
         return wrong
     steered = f"the controller steered {len(steps)} times"
     if len(steps) < 20:
@@ -542,7 +546,7 @@ def steers_by_the_newest(seen: Seen, when: str, qos: str = "") -> Finding:
         hint = "Print `[CONTROLLER] position = ` and the number in the message, and then compute for 0.33 s."
         if longest > 0.5:
             hint = f"From one step to the next it took up to {say(longest)}. The computation takes 0.33 s."
-        return Finding(False, f"{steered} in {say(seen.seconds)}; it can do so 20 times.", hint)
+        return Finding(False, f"{steered} in {say(run.seconds)}; it can do so 20 times.", hint)
     if short := [after for line, after in pairwise(steps) if after.time - line.time < 0.33 - CLOSE]:
         text = f"the controller steered again at {say(short[0].time)}, less than 0.33 s after the last time."
         return Finding(False, text, "Its computation takes 0.33 s, and the next one begins after that: leave both so.")
@@ -559,7 +563,7 @@ def steers_by_the_newest(seen: Seen, when: str, qos: str = "") -> Finding:
             said = f"at {say(time)} the controller steered by position {text}, which was {say(time - made)} old."
             first = "A step begins with its line: print it first, and then compute." if time == steps[0].time else ""
             return Finding(False, f"{said} A newer one had arrived.", first)
-    return sensor_of(seen, qos) or Finding(True, f"{steered}, by the newest position each time.")
+    return sensor_of(run, qos) or Finding(True, f"{steered}, by the newest position each time.")
 
 
 # --- numbers ----------------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from typing import Any
 from ..run.kinds import LANGUAGES, ROS, Language, words_of, written_in
 from ..run.source import refuse_null_bytes
 from .feedback import Finding
-from .seen import Error, Seen, Value
+from .observed import Error, ObservedRun, Value
 from .traces import Outcome, Request
 
 __all__ = [
@@ -76,7 +76,7 @@ class Answer:
         has_to_end: bool = True,
         beside: Sequence[str] = (),
         interrupted_at: float | None = None,
-    ) -> Seen:
+    ) -> ObservedRun:
         """Run the answer as a node in simulated time, with a parameter ``given`` as in ``period:=0.5``.
 
         With a ``seed`` its threads take turns at any point; from ``stalls_at`` (s) on, nothing of it runs for a while.
@@ -89,25 +89,25 @@ class Answer:
         """
         args = self._args(given)
         request = Request(seconds, args, None, seed, stalls_at, (), tuple(beside), interrupted_at)
-        seen = self._node(request)
-        if has_to_end or not seen.killed:
-            self._refuse(seen, args, allowed)
-        if any(timer.is_endless for timer in seen.timers):
+        run = self._node(request)
+        if has_to_end or not run.killed:
+            self._refuse(run, args, allowed)
+        if any(timer.is_endless for timer in run.timers):
             zero = _ZERO_IN_CPP if self._language else _ZERO
             raise Fails(f"{started(args)} node has a timer whose period is 0 s: it is called without a pause.", zero)
-        self._ended_early |= not seen.interrupted and not allowed and seed is None
-        return seen
+        self._ended_early |= not run.interrupted and not allowed and seed is None
+        return run
 
-    def ending(self, seconds: float, given: str = "", terminated_at: float | None = None) -> Seen:
+    def ending(self, seconds: float, given: str = "", terminated_at: float | None = None) -> ObservedRun:
         """Run it, and let it end as it will; SIGTERM may come before Ctrl-C. If it cannot be run, the check ends."""
         return self._node(Request(seconds, self._args(given), terminated_at))
 
     def variables(self, *names: str) -> dict[str, Value]:
         """Return which of these variables the answer assigns. If it cannot be run, or fails, the check ends."""
         self._parse()
-        seen = self._look(Request(0.0, variables=names))
-        self._refuse(seen, (), "")
-        return dict(seen.variables)
+        run = self._look(Request(0.0, variables=names))
+        self._refuse(run, (), "")
+        return dict(run.variables)
 
     def hint_for_early_end(self) -> str:
         """Return a hint for a node that ended before its time; empty for any other."""
@@ -117,7 +117,7 @@ class Answer:
         """Return the command line that gives a node of this ROS a parameter."""
         return tuple(ROS[self._ros].settings("-p", [given])) if given else ()
 
-    def _node(self, request: Request) -> Seen:
+    def _node(self, request: Request) -> ObservedRun:
         tree = self._parse()
         if tree is None:
             return self._look(request)
@@ -128,12 +128,12 @@ class Answer:
             raise Fails(_NO_ANSWER, right=None)
         return self._look(request)
 
-    def _look(self, request: Request) -> Seen:
-        _, seen, failure = self._ask(request)
-        if seen is None:
+    def _look(self, request: Request) -> ObservedRun:
+        _, run, failure = self._ask(request)
+        if run is None:
             assert failure
             raise Fails(*failure)
-        return seen
+        return run
 
     def _parse(self) -> ast.Module | None:
         """Parse the answer; None if it is in another language. If it is in none that it can be in, the check ends."""
@@ -173,20 +173,20 @@ class Answer:
                     raise Fails("The node imports both `rospy` (ROS 1) and `rclpy` (ROS 2). A node has one ROS.", here)
                 raise Fails(f"This node is for ROS {ros.number}: it imports `{other}`.", here)
 
-    def _refuse(self, seen: Seen, args: Sequence[str], allowed: str) -> None:
+    def _refuse(self, run: ObservedRun, args: Sequence[str], allowed: str) -> None:
         """End the check if something went wrong in a run."""
-        may_end = ROS[self._ros].raises and seen.interrupted and not self._language
+        may_end = ROS[self._ros].raises and run.interrupted and not self._language
 
         def is_well(error: Error) -> bool:
             return bool(allowed and allowed in error.said) or (may_end and error.ending)
 
-        if wrong := [error for error in seen.errors if not is_well(error)]:
-            raise Fails(f"{started(args)} {say_error(wrong[-1])}", seen.errors[-1].hint)
-        if seen.killed:
-            kept = say_kept(seen, self._ros)
-            raise Fails(f"{started(args)} node did not end at Ctrl-C: {kept}", hint_for_kept(seen))
-        if seen.status and not seen.errors and not may_end:
-            raise Fails(f"{started(args)} node ended with status {seen.status} instead of 0.")
+        if wrong := [error for error in run.errors if not is_well(error)]:
+            raise Fails(f"{started(args)} {say_error(wrong[-1])}", run.errors[-1].hint)
+        if run.killed:
+            kept = say_kept(run, self._ros)
+            raise Fails(f"{started(args)} node did not end at Ctrl-C: {kept}", hint_for_kept(run))
+        if run.status and not run.errors and not may_end:
+            raise Fails(f"{started(args)} node ended with status {run.status} instead of 0.")
 
 
 Judge = Callable[[Answer], Iterator[Finding]]
@@ -263,18 +263,18 @@ def language_of(answer: Any) -> Language | None:
     return written_in(answer) if isinstance(answer, str) else None
 
 
-def say_kept(seen: Seen, ros: int) -> str:
+def say_kept(run: ObservedRun, ros: int) -> str:
     """Say what kept a node from ending before it was killed, as the rest of a sentence."""
-    if seen.kept_by_rate:
+    if run.kept_by_rate:
         return "one of its threads was still asleep in a Rate's `sleep()`."
-    language = next((each for each in LANGUAGES if each.name == seen.language), None)
+    language = next((each for each in LANGUAGES if each.name == run.language), None)
     asks = f"Does its loop ask `{words_of(language, ros).asks}`?"
-    return f"it was still in line {seen.kept_at.line}, `{plain(seen.kept_at.call)}`. {asks}" if seen.kept_at else asks
+    return f"it was still in line {run.kept_at.line}, `{plain(run.kept_at.call)}`. {asks}" if run.kept_at else asks
 
 
-def hint_for_kept(seen: Seen) -> str:
+def hint_for_kept(run: ObservedRun) -> str:
     """Return a hint for a node that was killed; empty if nothing more is known."""
-    return _DAEMON if seen.kept_by_rate else ""
+    return _DAEMON if run.kept_by_rate else ""
 
 
 def not_python(error: Exception) -> tuple[str, str]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from .feedback import Finding
 from .judging import Answer, Judge, a_value, above, plain, say
-from .seen import Value
+from .observed import Value
 
 __all__ = ["chosen", "predicted", "same"]
 

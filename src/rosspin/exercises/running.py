@@ -39,7 +39,7 @@ from ..world.world import NotSimulated, World, current_world
 from . import in_rospy
 from .advice import not_called, not_found
 from .judging import language_of, not_python, plain, started
-from .seen import Called, Error, Kept, Printed, Seen, SeenEnd, SeenTimer, Sent, Value
+from .observed import Called, Error, Kept, ObservedEndpoint, ObservedRun, ObservedTimer, Printed, Sent, Value
 from .traces import LONGEST, Failure, Outcome, Request
 from .watched import Watched
 
@@ -107,7 +107,7 @@ class Ros(Protocol):
         """Return the parameters that were declared, or asked for where none is declared."""
 
     def in_words(self, qos: Any) -> str:
-        """Return the QoS of an end of a topic in words; empty if there is none."""
+        """Return the QoS of an endpoint in words; empty if there is none."""
 
     def whose(self, codes: Collection[CodeType]) -> str:
         """Return what of ROS an exception has ended in a node, by the code that it came through; empty if nothing."""
@@ -127,7 +127,7 @@ class _Watched(ExploredSimulation):
         decide = None if seed is None else lambda point, options: draw.randrange(len(options))
         super().__init__(Order(decide=decide, deep=seed is not None))
         self.printed: list[Printed] = []
-        self.timers: list[SeenTimer] = []
+        self.timers: list[ObservedTimer] = []
         self.parameters: tuple[str, ...] = ()
         self.cut = False
         self.world: World | None = None  # the answer's, as soon as it runs
@@ -235,8 +235,8 @@ class _Watched(ExploredSimulation):
         for timer, source, has_ended, was_asked, period, node in self._ros.timers(world, printers):
             calls = [tick for tick in ticks if tick.source == source]
             state = self._state(calls, has_ended, was_asked)
-            seen = SeenTimer(self._number(timer), tuple(tick.real for tick in calls), state, period, node)
-            self.timers.append(seen._replace(calls=seen.calls[:2]) if seen.is_endless else seen)
+            observed = ObservedTimer(self._number(timer), tuple(tick.real for tick in calls), state, period, node)
+            self.timers.append(observed._replace(calls=observed.calls[:2]) if observed.is_endless else observed)
 
     def _state(self, calls: Sequence[Tick], has_ended: bool, was_asked: bool) -> str:
         if not has_ended and calls and math.isnan(calls[-1].duration):
@@ -293,12 +293,12 @@ class Runner:
     def __call__(self, request: Request) -> Outcome:
         """Run the answer as requested, and return the outcome."""
         try:
-            seen, failure = self._run(request), None
+            run, failure = self._run(request), None
         except _Failed as failed:
-            seen, failure = None, failed.failure
-        return Outcome(request, seen, failure)
+            run, failure = None, failed.failure
+        return Outcome(request, run, failure)
 
-    def _run(self, request: Request) -> Seen:
+    def _run(self, request: Request) -> ObservedRun:
         node = self._node
         clock = _Watched(self._ros, request.seconds, request.seed)
         if request.terminated_at is not None:
@@ -327,7 +327,7 @@ class Runner:
         finally:
             if not self._ran:
                 self.console, self._ran = _shown(console.text()), True
-        return self._seen(request, node, clock, result, variables)
+        return self._observed(request, node, clock, result, variables)
 
     def _beside(self, node: Code, request: Request, clock: _Watched) -> Result:
         """Run the answer, with the others that the request names."""
@@ -336,9 +336,9 @@ class Runner:
         others = [_BESIDE[self._ros_number, name] for name in request.beside]
         return run_beside(node, request.args, others, request.seconds, clock, TickLog())
 
-    def _seen(
+    def _observed(
         self, request: Request, node: Code, clock: _Watched, result: Result, variables: list[tuple[str, Value]]
-    ) -> Seen:
+    ) -> ObservedRun:
         world = result.world
         kept_at = where_it_was_kept(node, world.waited)
         self.cut |= clock.cut
@@ -348,19 +348,19 @@ class Runner:
 
             timers = in_cpp.that_stopped(timers, clock.numbers(), clock.printed, world)
             errors = in_cpp.errors(world, clock.printed, node.filename)
-        ends = self._fitting(map(self._end, world.recording.ends))
+        endpoints = self._fitting(map(self._endpoint, world.recording.ends))
         messages = result.messages()
         own = [message for message in messages if not request.beside or message.node not in (NODE, *OTHERS)]
         sent, calls = self._fitting(map(_sent, own)), self._fitting(map(_called, result.calls()))
         spots, commands = Drive.of(messages if request.beside else ())
         printed = self._fitting(clock.printed)
-        return Seen(
+        return ObservedRun(
             request.seconds,
             printed,
             timers,
             tuple(clock.sleeps(of_timers=False)[:_MOST]),
             tuple(clock.sleeps(of_timers=True)[:_MOST]),
-            ends,
+            endpoints,
             clock.parameters,
             sent,
             calls,
@@ -374,9 +374,9 @@ class Runner:
             self._language.name if self._language else "python",
         )
 
-    def _end(self, end: EndMade) -> SeenEnd:
-        qos = self._ros.in_words(end.qos)
-        return SeenEnd(plain(end.topic), end.publishes, end.made, qos, end.joined, end.refused)
+    def _endpoint(self, made: EndMade) -> ObservedEndpoint:
+        qos = self._ros.in_words(made.qos)
+        return ObservedEndpoint(plain(made.topic), made.publishes, made.made, qos, made.joined, made.refused)
 
     def _fitting(self, items: Iterable[Item]) -> tuple[Item, ...]:
         """Return the first items, as many as fit into half of the room. The other half is for what comes later."""

@@ -14,7 +14,7 @@ from json import dumps, loads
 from types import NoneType, UnionType
 from typing import Any, NamedTuple, get_args, get_origin, get_type_hints
 
-from .seen import Seen
+from .observed import ObservedRun
 
 __all__ = ["LONGEST", "LONGEST_TEXT", "Failure", "Misfit", "Outcome", "Request", "Trace", "read", "write"]
 
@@ -59,10 +59,10 @@ class Failure(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """A request and what came of it: either ``seen`` or ``failure``."""
+    """A request and what came of it: either ``run`` or ``failure``."""
 
     request: Request
-    seen: Seen | None
+    run: ObservedRun | None
     failure: Failure | None
 
 
@@ -94,8 +94,8 @@ def read(text: str, name: str) -> Trace:
     assert isinstance(trace, Trace)
     if trace.name != name:
         raise Misfit("it belongs to another exercise")
-    for request, seen, failure in trace.outcomes:
-        if (seen is None) is (failure is None) or (seen and seen.seconds != request.seconds):
+    for request, run, failure in trace.outcomes:
+        if (run is None) is (failure is None) or (run and run.seconds != request.seconds):
             raise Misfit("it is damaged")
     return trace
 

@@ -122,7 +122,7 @@ def test_a_check_that_fails_and_a_node_that_is_no_python_are_one_line(site: Path
     returns = LESSON.replace("yield Finding(F", "Finding(F").replace("yield Finding(r", "return Finding(r")
     said = "check: TypeError: check returned a Finding: let it yield each Finding"
     assert listed(site, faster_heartbeat=returns) == [f"{FILE}:{_line('def check')}: {said}"]
-    fails = LESSON.replace('seen.values("HEART", "beat")', "seen.beats")
+    fails = LESSON.replace('run.values("HEART", "beat")', "run.beats")
     (found,) = listed(site, faster_heartbeat=fails)
     assert found.startswith(f"{FILE}:{_line('    beats')}: check: AttributeError: ")
     line = _line("    node.get_logger")

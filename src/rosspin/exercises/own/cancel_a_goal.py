@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import Answer, plain, say
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "Cancel a goal"
 TEXT = """
@@ -110,18 +110,18 @@ _REACHED = {
 _REFUSED = "Unless it has a `cancel_callback` that returns `CancelResponse.ACCEPT`, a server cancels no goal."
 
 
-def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Finding:
+def _ended(run: ObservedRun, when: str, status: str, at: float, length: int) -> Finding:
     """Whether the goal has ended at a time (s), with a status and so many numbers, which the client has printed."""
     names = {"4": "reached (4)", "5": "cancelled (5)", "6": "aborted (6)"}
-    found, numbers = seen.values("CLIENT", "status"), seen.values("CLIENT", "numbers")
-    cancelled = [line for line in seen.values("CLIENT", "cancelling") if line.time <= seen.seconds]
+    found, numbers = run.values("CLIENT", "status"), run.values("CLIENT", "numbers")
+    cancelled = [line for line in run.values("CLIENT", "cancelling") if line.time <= run.seconds]
     if not found or not numbers:
         hint = "Does `execute_callback` return a `Fibonacci.Result`? The client should stay as it is."
         return Finding(False, f"{when}: the client did not hear how the goal ended.", hint)
     if found[0].text != status:
         said = names.get(found[0].text, f"`{plain(found[0].text)}`")
         hint = _REACHED.get(found[0].text, "Only if a cancel was requested: look before you call `canceled()`.")
-        asked = [line.text for line in seen.printed if "Error raised in execute callback" in line.text]
+        asked = [line.text for line in run.printed if "Error raised in execute callback" in line.text]
         if asked:
             hint = f"`execute_callback` failed: `{plain(asked[0].rpartition('callback: ')[2])}`."
         elif status == "5" and not cancelled:
@@ -145,10 +145,10 @@ def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Findin
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether an action server cancels a goal within a step of 0.5 s, and else reaches it."""
     for at, ends, length in (3.2, 3.5, 7), (2.2, 2.5, 5):
-        seen = answer.run(7.0, f"cancel_at:={at}", has_to_end=False)
-        yield _ended(seen, f"Cancelled at {at} s", "5", ends, length)
-    seen = answer.run(7.0, "cancel_at:=9.0")
-    yield _ended(seen, "Not cancelled", "4", 5.0, 10)
+        run = answer.run(7.0, f"cancel_at:={at}", has_to_end=False)
+        yield _ended(run, f"Cancelled at {at} s", "5", ends, length)
+    run = answer.run(7.0, "cancel_at:=9.0")
+    yield _ended(run, "Not cancelled", "4", 5.0, 10)
 
 
 SOLUTION = {

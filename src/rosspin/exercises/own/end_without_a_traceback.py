@@ -6,7 +6,7 @@ from functools import partial
 
 from .. import judges as by
 from ..feedback import Finding
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "End without a traceback"
 TEXT = """
@@ -85,14 +85,14 @@ HINT = (
 )
 
 
-def _fails(seen: Seen, when: str) -> Finding:
+def _fails(run: ObservedRun, when: str) -> Finding:
     """Whether an error has ended the node with a status other than 0."""
-    if seen.status and not seen.errors:
-        text = f"{when}: the node ended with status {seen.status}, but without a traceback."
+    if run.status and not run.errors:
+        text = f"{when}: the node ended with status {run.status}, but without a traceback."
         return Finding(False, text, _SWALLOWED)
-    if seen.status:
-        return Finding(True, f"{when}: the node ended with status {seen.status}.")
-    went_on = "continued" if seen.interrupted else "ended with status 0, as if all were well"
+    if run.status:
+        return Finding(True, f"{when}: the node ended with status {run.status}.")
+    went_on = "continued" if run.interrupted else "ended with status 0, as if all were well"
     return Finding(False, f"{when}: the node {went_on}.", _SWALLOWED)
 
 

@@ -123,13 +123,13 @@ _AGAIN = "Its wheels stay as they were told last. Tell them again, ten times a s
 
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether a timer steers, and the vehicle keeps to its line."""
-    seen = answer.run(8.0, beside=["vehicle"])
-    times = [command.time for command in commands(seen)]
-    is_rare = any(after - time > 0.35 for time, after in pairwise([*times, seen.seconds]))
-    followed = follows(seen, _AGAIN if is_rare else _TURNS)
+    run = answer.run(8.0, beside=["vehicle"])
+    times = [command.time for command in commands(run)]
+    is_rare = any(after - time > 0.35 for time, after in pairwise([*times, run.seconds]))
+    followed = follows(run, _AGAIN if is_rare else _TURNS)
     yield followed
     if followed.right and not any(
-        timer.state == "running" and len(timer.calls) >= 0.5 * len(commands(seen)) for timer in seen.timers
+        timer.state == "running" and len(timer.calls) >= 0.5 * len(commands(run)) for timer in run.timers
     ):
         hint = "If the sensor falls silent, so do the commands. With a timer the node acts at times of its own."
         yield Finding(False, "no timer of the node sends the commands.", hint)

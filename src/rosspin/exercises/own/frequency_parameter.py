@@ -5,8 +5,8 @@ from __future__ import annotations
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import Judge, plain
+from ..observed import ObservedRun
 from ..odd_nodes import PLAIN, SLEEPS_FIRST, at
-from ..seen import Seen
 
 TITLE = "Read the frequency from a parameter"
 TEXT = """
@@ -55,20 +55,20 @@ _ASK = "`rospy.get_param` finds a parameter wherever it was set, in a launch fil
 def _follows(seconds: float, period: float, given: str) -> Judge:
     """Whether the node ticks with the period (s) of the frequency that it is given, and has asked for a parameter."""
 
-    def look(seen: Seen, when: str) -> Finding | None:
+    def look(run: ObservedRun, when: str) -> Finding | None:
         hint = _ASK
-        if any(name.count("/") > 1 and name.endswith("/frequency") for name in seen.parameters):
+        if any(name.count("/") > 1 and name.endswith("/frequency") for name in run.parameters):
             hint = "The parameter is read, but the timer has another period than 1 / frequency."
-        elif seen.parameters:
-            hint = f"It asked for `{plain(seen.parameters[0])}`. The private parameter is `~frequency`."
-        return by.ticks(period, hint=hint)(seen, when)
+        elif run.parameters:
+            hint = f"It asked for `{plain(run.parameters[0])}`. The private parameter is `~frequency`."
+        return by.ticks(period, hint=hint)(run, when)
 
     return by.run(seconds, look, _asks_for_a_parameter, given=given)
 
 
-def _asks_for_a_parameter(seen: Seen, when: str) -> Finding | None:
+def _asks_for_a_parameter(run: ObservedRun, when: str) -> Finding | None:
     """Whether the node has asked for a parameter. Nothing is said of one that has."""
-    if seen.parameters or not seen.interrupted:
+    if run.parameters or not run.interrupted:
         return None
     text = f"{when}: the node asked for no parameter."
     return Finding(False, text, _ASK)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import Judge, plain, say
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "Reach a subscriber that comes late"
 TEXT = """
@@ -59,13 +59,13 @@ HINT = "`rospy.Publisher` has a parameter `latch`."
 def _arrives_once(at: float) -> Judge:
     """Whether the listener, which subscribes at a time (s), hears the goal, 7, once, soon after."""
 
-    def look(seen: Seen, when: str) -> Finding:
-        heard = seen.values("LISTENER", "goal")
+    def look(run: ObservedRun, when: str) -> Finding:
+        heard = run.values("LISTENER", "goal")
         if not heard:
-            sent = any(message.topic == "/goal" for message in seen.sent)
+            sent = any(message.topic == "/goal" for message in run.sent)
             never = "The planner publishes nothing on `/goal`. It should publish 7 there, once."
             other = "The robot should stay as it is, and print `[LISTENER] goal = 7`."
-            hint = other if any(line.heard == "7" for line in seen.printed) else "" if sent else never
+            hint = other if any(line.heard == "7" for line in run.printed) else "" if sent else never
             return Finding(False, f"{when}: the goal did not arrive.", hint)
         if wrong := [line.text for line in heard if line.text != "7"]:
             text = f"{when}: the goal {plain(wrong[0])} arrived, not 7."

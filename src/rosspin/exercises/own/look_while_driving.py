@@ -145,12 +145,12 @@ _LOOK = "Leave what looks at a picture as it is: 0.3 s for a picture, and then t
 
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether the vehicle keeps to its line while pictures are looked at."""
-    seen = answer.run(8.0, beside=["vehicle"])
-    yield follows(seen, _WAITS)
-    looked = [line for line in seen.values("CAMERA", "picture") if line.time < seen.seconds]
+    run = answer.run(8.0, beside=["vehicle"])
+    yield follows(run, _WAITS)
+    looked = [line for line in run.values("CAMERA", "picture") if line.time < run.seconds]
     numbers = [int(line.text) if line.text.isdecimal() and len(line.text) < 6 else 0 for line in looked]
     if len(looked) < 20:
-        text = f"{len(looked)} pictures were looked at in {say(seen.seconds)}, where 20 are the least."
+        text = f"{len(looked)} pictures were looked at in {say(run.seconds)}, where 20 are the least."
         yield Finding(False, text, _LOOK)
         return
     # The vehicle takes a picture every 0.25 s.

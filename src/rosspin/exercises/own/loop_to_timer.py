@@ -5,8 +5,8 @@ from __future__ import annotations
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import plain
+from ..observed import ObservedRun
 from ..odd_nodes import CAUGHT, HEAD, LAMBDA, PLAIN, SLEEPS_FIRST, THREAD, at, say
-from ..seen import Seen
 
 TITLE = "Turn a loop into a timer"
 TEXT = """
@@ -40,11 +40,11 @@ HINTS = [
 HINT = "Move the body of the loop into a callback, remove the loop, and put `rospy.spin()` in its place."
 
 
-def _moved_to_a_timer(seen: Seen, when: str) -> Finding | None:
+def _moved_to_a_timer(run: ObservedRun, when: str) -> Finding | None:
     """Whether one timer printed all counters, one in each call, and the node has no loop left."""
-    counters = seen.counters()
-    timers, others = seen.printers(counters)
-    if not seen.timers:
+    counters = run.counters()
+    timers, others = run.printers(counters)
+    if not run.timers:
         return Finding(False, "no timer calls back.")
     if others:
         return Finding(False, f"counter {plain(others[0].text)} was printed by a loop, not by a timer's callback.")
@@ -54,11 +54,11 @@ def _moved_to_a_timer(seen: Seen, when: str) -> Finding | None:
     if timers and len(timers[0].calls) < len(counters):
         text = "one call of the callback printed several counters: the loop is now in the callback."
         return Finding(False, text, "A callback does one pass and returns. The timer calls it again.")
-    if seen.loops:
-        text = f"there still is a loop, at line {seen.loops[0]}."
+    if run.loops:
+        text = f"there still is a loop, at line {run.loops[0]}."
         return Finding(False, text, "`rospy.spin()` waits for the node to be shut down; it needs no loop around it.")
-    if seen.naps:
-        text = f"the callback sleeps, at line {seen.naps[0]}."
+    if run.naps:
+        text = f"the callback sleeps, at line {run.naps[0]}."
         return Finding(False, text, "The timer waits from one call to the next: a callback does its work and returns.")
     return Finding(True, "a timer calls back, and no loop is left.") if timers else None
 

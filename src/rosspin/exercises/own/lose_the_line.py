@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from .. import Finding
 from ..driving import commands, driver_cpp, follows
 from ..judging import Answer, say
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "At which rate is it lost?"
 TEXT = """
@@ -74,18 +74,18 @@ _LONGEST = 0.3
 
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether the commands are as rare as they can be while the vehicle keeps to its line."""
-    seen = answer.run(_SECONDS, beside=["vehicle"])
-    followed = follows(seen, f"Its wheels are set every {say(_between(seen))}: too rarely. Make the period shorter.")
+    run = answer.run(_SECONDS, beside=["vehicle"])
+    followed = follows(run, f"Its wheels are set every {say(_between(run))}: too rarely. Make the period shorter.")
     yield followed
     if followed.right:
-        count, least = len(commands(seen)), int(_SECONDS / _LONGEST)
-        text = f"{count} commands came in {say(_SECONDS)}, one every {say(_between(seen))}."
+        count, least = len(commands(run)), int(_SECONDS / _LONGEST)
+        text = f"{count} commands came in {say(_SECONDS)}, one every {say(_between(run))}."
         hint = "It still keeps to its line if they are rarer. Make the period longer, in steps of 0.05 s."
         yield Finding(count <= least, text, hint)
 
 
-def _between(seen: Seen) -> float:
-    times = [command.time for command in commands(seen)]
+def _between(run: ObservedRun) -> float:
+    times = [command.time for command in commands(run)]
     return round((times[-1] - times[0]) / (len(times) - 1), 2) if len(times) > 1 else _SECONDS
 
 

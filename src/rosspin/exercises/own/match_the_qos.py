@@ -5,7 +5,7 @@ from __future__ import annotations
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import plain
-from ..seen import Printed, Seen
+from ..observed import ObservedRun, Printed
 
 TITLE = "Make both ends match"
 TEXT = """
@@ -122,25 +122,25 @@ HINT = "The warnings name the policy that does not match. The subscription asks 
 HINT_CPP = HINT
 
 
-def _hears_all(seen: Seen, when: str) -> Finding:
+def _hears_all(run: ObservedRun, when: str) -> Finding:
     """Whether the controller hears each position immediately, one of which the sensor publishes each period.
 
-    The subscription has to be connected to it, and no other end may be left that is not.
+    The subscription has to be connected to it, and no other endpoint may be left that is not.
     """
-    due = by.grid(0.5, seen.seconds)
-    sent = [Printed(message.time, message.data) for message in seen.sent if message.topic == "/position"]
+    due = by.grid(0.5, run.seconds)
+    sent = [Printed(message.time, message.data) for message in run.sent if message.topic == "/position"]
     published = by.on_time(sent, due, "The sensor", by.AS_IT_IS, "position")
     if not published.right:
         return published
-    if wrong := by.sensor_of(seen, "best_effort, volatile, depth 5") or by.unmatched(seen):
+    if wrong := by.sensor_of(run, "best_effort, volatile, depth 5") or by.unmatched(run):
         return wrong
-    heard = seen.values("CONTROLLER", "position")
+    heard = run.values("CONTROLLER", "position")
     if any(line.timer for line in heard):
         return by.called_itself("The controller")
     if others := [line.text for line in heard if not line.heard]:
         text = f"The controller: position {plain(others[0])} was not printed by the callback of its subscription."
         return Finding(False, text, "The subscription calls its callback when a message has come. Leave that to it.")
-    if (many := len(seen.ends_of("/position", False))) > 1:
+    if (many := len(run.endpoints_of("/position", False))) > 1:
         text = f"The controller: it has {many} subscriptions to `/position`, and hears each message {many} times."
         return Finding(False, text, "Change the subscription that is there.")
     as_it_comes = "The subscription's callback should print `[CONTROLLER] position = ` and the number in the message."

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import Judge, plain
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "Count the ticks that are missing"
 TEXT = """
@@ -54,8 +54,8 @@ HINT = "`event.current_real - event.current_expected` is how late this call is. 
 def _missing(blocks_for: str, wanted: Sequence[int]) -> Judge:
     """Whether each callback printed how many ticks were missing."""
 
-    def look(seen: Seen, when: str) -> Finding:
-        found = [line for line in seen.values("[^]]*", "missing") if line.time <= seen.seconds]
+    def look(run: ObservedRun, when: str) -> Finding:
+        found = [line for line in run.values("[^]]*", "missing") if line.time <= run.seconds]
         if not found:
             return Finding(False, f"{when}: no line with `missing = ` was printed.")
         if len(found) != len(wanted):

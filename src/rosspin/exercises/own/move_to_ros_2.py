@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .. import judges as by
-from ..seen import Printed
+from ..observed import Printed
 
 TITLE = "Move a node to ROS 2"
 TEXT = """

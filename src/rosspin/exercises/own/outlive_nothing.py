@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import Answer
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "A lambda that outlives its node"
 TEXT = """
@@ -76,9 +76,9 @@ HINT = "The lambda is called after the object is gone whose `this` it has captur
 _MOST = 1000
 
 
-def _no_counter(seen: Seen) -> Finding | None:
+def _no_counter(run: ObservedRun) -> Finding | None:
     """Whether what is printed comes from memory that is something else's now."""
-    found = seen.counters()
+    found = run.counters()
     number = by.as_whole(found[0].text) if found else None
     if number is None or number <= _MOST:
         return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import plain, say, say_error
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "Take the period from a parameter"
 TEXT = """
@@ -109,29 +109,29 @@ HINT = "`self.declare_parameter(name, default).value` is a parameter's value. Lo
 HINT_CPP = "`declare_parameter(name, default)` returns the value of a parameter. Look at it before you make the timer."
 
 
-def _refuses(seen: Seen, when: str) -> Finding:
+def _refuses(run: ObservedRun, when: str) -> Finding:
     """Whether a node has refused a parameter in words, with a status other than 0 and without a traceback."""
     look = "Look at the period before you make the timer: write an error line, and end with status 1."
-    if counters := seen.counters():
-        if any(timer.is_endless for timer in seen.timers):
+    if counters := run.counters():
+        if any(timer.is_endless for timer in run.timers):
             endless = f"A timer takes a period of 0, and then calls back without a pause. {look}"
             return Finding(False, f"{when}: the node ticked anyway, without a pause.", endless)
         often = "once" if len(counters) == 1 else f"{len(counters)} times"
         other = "The node should refuse such a period, not take another one in its place."
-        return Finding(False, f"{when}: the node ticked anyway, {often} in {say(seen.seconds)}.", f"{other} {look}")
-    if seen.errors:
-        return Finding(False, f"{when}: the {say_error(seen.errors[-1])}", look)
-    if seen.interrupted:
+        return Finding(False, f"{when}: the node ticked anyway, {often} in {say(run.seconds)}.", f"{other} {look}")
+    if run.errors:
+        return Finding(False, f"{when}: the {say_error(run.errors[-1])}", look)
+    if run.interrupted:
         return Finding(False, f"{when}: the node kept running without ticking.", look)
-    if not seen.status:
+    if not run.status:
         ends = "Whatever started the node learns from its status whether all is well: end it with status 1."
         return Finding(False, f"{when}: the node ended with status 0, as if all were well.", ends)
-    said = [line.text.strip() for line in seen.printed if "period" in line.text.lower()]
+    said = [line.text.strip() for line in run.printed if "period" in line.text.lower()]
     if not said:
         return Finding(False, f"{when}: no line says that the period is wrong.", look)
     if not any(line.startswith(("[ERROR]", "[FATAL]")) for line in said):
         return Finding(False, f"{when}: the node did not log `{plain(said[0])}` as an error.", look)
-    return Finding(True, f"{when}: the node said `{plain(said[0])}`, and ended with status {seen.status}.")
+    return Finding(True, f"{when}: the node said `{plain(said[0])}`, and ended with status {run.status}.")
 
 
 check = by.every(

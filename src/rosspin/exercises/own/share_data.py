@@ -7,7 +7,7 @@ from functools import partial
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import plain, say
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "Share data between two callbacks"
 TEXT = """
@@ -56,10 +56,10 @@ HINTS = [
 HINT = "While one callback reads the parts and writes them, the other has to keep away: both need one lock."
 
 
-def _parts_add_up(seen: Seen, when: str) -> Finding:
+def _parts_add_up(run: ObservedRun, when: str) -> Finding:
     """Whether reports every 0.5 s add up to the parts, one every 0.1 s. The newest part may miss the report."""
     start = f"{when}: " if when else ""
-    reports = seen.values("SPINNER PY NODE", "parts")
+    reports = run.values("SPINNER PY NODE", "parts")
     stuck = "Does a callback wait for a lock that is never released, or that it has already?"
     total = 0
     for number in range(1, 11):
@@ -84,15 +84,15 @@ def _parts_add_up(seen: Seen, when: str) -> Finding:
 _COUNTED = "Report what the callback has counted: a tick that is lost counts no part."
 
 
-def _calls_add_up(seen: Seen, when: str, hint: str = _COUNTED) -> Finding:
+def _calls_add_up(run: ObservedRun, when: str, hint: str = _COUNTED) -> Finding:
     """Whether the reports of a node that was held up, and lost ticks, add up to the calls of its callback.
 
     The callback that counts is the one called most often. Its newest call may miss the report.
     """
-    calls = max((timer.calls for timer in seen.timers), key=len, default=())
-    begun = {timer.number: timer.calls for timer in seen.timers}
+    calls = max((timer.calls for timer in run.timers), key=len, default=())
+    begun = {timer.number: timer.calls for timer in run.timers}
     total = 0
-    for time, text, timer, _ in seen.values("SPINNER PY NODE", "parts"):
+    for time, text, timer, _ in run.values("SPINNER PY NODE", "parts"):
         total += by.as_whole(text) or 0
         began = max((call for call in begun.get(timer, ()) if call <= time), default=time)
         least = sum(call < began - by.CLOSE for call in calls) - 1

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from .. import Finding
 from ..driving import commands, driver_cpp, follows, stands
 from ..judging import Answer, plain, say
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "Share the wheel"
 TEXT = """
@@ -89,23 +89,23 @@ def check(answer: Answer) -> Iterator[Finding]:
                 )
 
 
-def _yields(seen: Seen, name: str, pressed: float, released: float) -> Iterator[Finding]:
+def _yields(run: ObservedRun, name: str, pressed: float, released: float) -> Iterator[Finding]:
     """Whether another node of this name stops the vehicle while it is pressed, and the node says who that was."""
-    before = follows(seen, "Steer as before while no other node does.", 0.0, pressed)
+    before = follows(run, "Steer as before while no other node does.", 0.0, pressed)
     yield before
     if not before.right:
         return
-    yield stands(seen, pressed + 0.6, released, _YIELD)
-    ours = [command.time for command in commands(seen, pressed + 0.3, released - 0.01)]
+    yield stands(run, pressed + 0.6, released, _YIELD)
+    ours = [command.time for command in commands(run, pressed + 0.3, released - 0.01)]
     if ours:
         yield Finding(False, f"at {say(ours[-1])}, with the joystick pressed, the node still sent commands.", _YIELD)
         return
-    if not [command for command in commands(seen, released + 0.01, released + 1.0) if command.speed]:
+    if not [command for command in commands(run, released + 0.01, released + 1.0) if command.speed]:
         hint = "Look at each tick who publishes, and steer as soon as no other node does."
         yield Finding(False, f"the joystick was gone at {say(released)}, but the node did not drive again.", hint)
         return
     yield Finding(True, "while the joystick is pressed the node sends nothing, and then drives again.")
-    named = [line for line in seen.values("DRIVER", "other") if pressed <= line.time <= released]
+    named = [line for line in run.values("DRIVER", "other") if pressed <= line.time <= released]
     names = {line.text.strip("/'\"[] ") for line in named}
     if names != {name}:
         said = " and ".join(f"`{plain(each)}`" for each in sorted(names)) or "nothing"

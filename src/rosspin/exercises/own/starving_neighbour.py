@@ -8,7 +8,7 @@ from itertools import pairwise
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import plain, say
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "Free a starving neighbour"
 TEXT = """
@@ -83,14 +83,14 @@ _COMMANDED = by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(0.1, _STARVED
 HINT = "It takes two things: a `MultiThreadedExecutor`, and a callback group of its own for each timer."
 
 
-def _one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
+def _one_image_at_a_time(run: ObservedRun, when: str, takes: float) -> Finding:
     """Whether the camera takes its images one after the other, each in its time, as often as that allows."""
-    begun = [line for line in seen.values("CAMERA", "image") if line.time <= seen.seconds]
-    done = seen.values("CAMERA", "done")
+    begun = [line for line in run.values("CAMERA", "image") if line.time <= run.seconds]
+    done = run.values("CAMERA", "done")
     what = f"{when}, the camera"
     least = 5 if takes < 1 else 3
     if len(begun) < least:
-        text = f"{what} took {len(begun)} images in {say(seen.seconds)}; it can take {least}."
+        text = f"{what} took {len(begun)} images in {say(run.seconds)}; it can take {least}."
         return Finding(False, text, "The camera has to work as before: every second, or as often as its work allows.")
     for image, later in pairwise(begun):
         if not any(image.time <= line.time <= later.time for line in done):
@@ -104,7 +104,7 @@ def _one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
         end = next((line for line in done if line.text == image.text), None)
         if image.text != str(number):
             return Finding(False, f"{what}: where image {number} was due, image {plain(image.text)} began.")
-        if image.time + takes > seen.seconds:
+        if image.time + takes > run.seconds:
             continue
         if end is None or abs(end.time - image.time - takes) > by.CLOSE:
             after = f"done after {say(end.time - image.time)}" if end else "never done"
@@ -116,9 +116,9 @@ def _one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
     return Finding(True, f"{what} took {len(begun)} images, one after the other.")
 
 
-def _returns_to_its_times(seen: Seen, when: str) -> Finding | None:
+def _returns_to_its_times(run: ObservedRun, when: str) -> Finding | None:
     """Whether the motor's commands are on time again after nothing ran for a while. Nothing is said if they are."""
-    late = [line.time for line in seen.counters("MOTOR") if line.time > 2.3]
+    late = [line.time for line in run.counters("MOTOR") if line.time > 2.3]
     off = [time for time in late if abs(10 * time - round(10 * time)) > 10 * by.CLOSE]
     if late and not off:
         return None

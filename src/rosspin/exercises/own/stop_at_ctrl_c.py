@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from .. import Finding
 from ..driving import commands, driver_cpp, follows, stands
 from ..judging import Answer, say
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "Stop at Ctrl-C"
 TEXT = """
@@ -89,18 +89,18 @@ def check(answer: Answer) -> Iterator[Finding]:
                 yield finding._replace(text=f"Ctrl-C at {say(_EARLIER)}: {finding.text}")
 
 
-def _stops(seen: Seen, at: float) -> Iterator[Finding]:
+def _stops(run: ObservedRun, at: float) -> Iterator[Finding]:
     """Whether the vehicle is driven until Ctrl-C, which comes at a time (s), and stops then."""
-    driven = follows(seen, "Until Ctrl-C, steer as before.", 0.0, at)
+    driven = follows(run, "Until Ctrl-C, steer as before.", 0.0, at)
     yield driven
     if not driven.right:
         return
-    if not seen.interrupted:
+    if not run.interrupted:
         yield Finding(False, f"the node had ended before Ctrl-C came, at {say(at)}.", "It drives until Ctrl-C ends it.")
         return
-    is_late = any("context is invalid" in error.said or "publisher" in error.said.lower() for error in seen.errors)
-    stopped = stands(seen, at + 0.2, seen.seconds, _LATE if is_late else _ON)
-    after = commands(seen, at)
+    is_late = any("context is invalid" in error.said or "publisher" in error.said.lower() for error in run.errors)
+    stopped = stands(run, at + 0.2, run.seconds, _LATE if is_late else _ON)
+    after = commands(run, at)
     if after and after[-1].speed:
         hint = "A speed of 0 has to be the last command of all: a new `Twist` is all zeros."
         text = f"the last command, at {say(after[-1].time)}, has a speed of {after[-1].speed:g} m/s."

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from .. import Finding
 from ..driving import commands, driver_cpp, follows, stands
 from ..judging import Answer, say
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "Stop when blind"
 TEXT = """
@@ -89,14 +89,14 @@ def check(answer: Answer) -> Iterator[Finding]:
                 yield finding._replace(text=f"Silent from 2 s to 3.5 s: {finding.text}")
 
 
-def _stops(seen: Seen, first: float, last: float) -> Iterator[Finding]:
+def _stops(run: ObservedRun, first: float, last: float) -> Iterator[Finding]:
     """Whether it stops half a second after the last message, not earlier, and drives on with the next one."""
-    before = follows(seen, "Steer as before while messages come.", 0.0, first)
+    before = follows(run, "Steer as before while messages come.", 0.0, first)
     yield before
     if not before.right:
         return
     due = first - 0.05 + _PATIENCE
-    stopped = [command.time for command in commands(seen, first - 0.05) if not command.speed and not command.turn]
+    stopped = [command.time for command in commands(run, first - 0.05) if not command.speed and not command.turn]
     early = [time for time in stopped if time < due - 0.06]
     if early:
         hint = "20 messages a second come 0.05 s apart. Wait until nothing has come for 0.5 s."
@@ -107,9 +107,9 @@ def _stops(seen: Seen, first: float, last: float) -> Iterator[Finding]:
         text = f"the vehicle was stopped at {say(stopped[0])}, {late} after the last message."
         yield Finding(False, text, "It should be stopped when nothing has come for 0.5 s.")
         return
-    is_mute = not commands(seen, due + 0.11, last)
-    yield stands(seen, due + 0.11, last, _MUTE if is_mute else _STOP)
-    again = [command for command in commands(seen, last + 0.01, last + 1.0) if command.speed]
+    is_mute = not commands(run, due + 0.11, last)
+    yield stands(run, due + 0.11, last, _MUTE if is_mute else _STOP)
+    again = [command for command in commands(run, last + 0.01, last + 1.0) if command.speed]
     if not again:
         hint = "When messages come again, steer again: look at each tick how long ago the last one was."
         yield Finding(False, f"the sensor was back at {say(last)}, but the vehicle was not driven again.", hint)

@@ -8,8 +8,8 @@ from itertools import pairwise
 
 from .. import judges as by
 from ..judging import Judge
+from ..observed import Printed
 from ..odd_nodes import HEAD, say
-from ..seen import Printed
 
 TITLE = "Survive an overrun"
 TEXT = """

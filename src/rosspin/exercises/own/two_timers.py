@@ -5,7 +5,7 @@ from __future__ import annotations
 from .. import judges as by
 from ..feedback import Finding
 from ..judging import plain
-from ..seen import Seen
+from ..observed import ObservedRun
 
 TITLE = "Give a node two timers"
 TEXT = """
@@ -93,16 +93,16 @@ HINT = "A node can have as many timers as it likes, each with its own period, ca
 HINT_CPP = HINT
 
 
-def _have_timers_of_their_own(seen: Seen, when: str) -> Finding | None:
+def _have_timers_of_their_own(run: ObservedRun, when: str) -> Finding | None:
     """Whether the counters of each tag were printed by a timer of their own, and all these timers are of one node."""
-    printed = {tag: seen.counters(tag) for tag in ("FAST", "SLOW")}
+    printed = {tag: run.counters(tag) for tag in ("FAST", "SLOW")}
     if not all(printed.values()):
         return None
     nodes: dict[str, str] = {}
     tag_of: dict[int, str] = {}  # by the number of a timer
     second = "The exercise asks for a timer of its own for each, with its own period, callback and counter."
     for tag, counters in printed.items():
-        timers, others = seen.printers(counters)
+        timers, others = run.printers(counters)
         if others:
             text = f"counter {plain(others[0].text)} of `[{tag}]` was not printed by the callback of a timer."
             return Finding(False, text, second)

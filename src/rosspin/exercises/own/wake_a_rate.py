@@ -69,10 +69,10 @@ def check(answer: Answer) -> Iterator[Finding]:
     endings = []
     for work, seconds in ((0.1, 3.3), (0.4, 3.05)):
         when = f"With `work:={work}`"
-        seen = answer.run(seconds, f"work:={work}", has_to_end=False)
-        counters = seen.counters()
+        run = answer.run(seconds, f"work:={work}", has_to_end=False)
+        counters = run.counters()
         hint = ""
-        if len(counters) == 1 and seen.interrupted:
+        if len(counters) == 1 and run.interrupted:
             hint = "The first `sleep()` never returned. A Rate is a timer: who calls it back while the loop sleeps?"
         elif len(counters) > 1 and abs(counters[1].time - 0.5 - work) < by.CLOSE:
             hint = "The work is a part of the period: shorten the pause by the time that the work takes."
@@ -84,8 +84,8 @@ def check(answer: Answer) -> Iterator[Finding]:
             hint = "A Rate is given a frequency. Passes every 0.5 s are 2.0 a second."
         finding = by.on_time(counters, by.grid(0.5, seconds, start=0.0), when, hint)
         yield finding
-        endings.append(by.ends_well(seen, f"{when}, Ctrl-C"))
-        if not finding.right or seen.killed:
+        endings.append(by.ends_well(run, f"{when}, Ctrl-C"))
+        if not finding.right or run.killed:
             yield from endings
             return
     long = answer.run(3.3, "work:=0.8", has_to_end=False).counters()

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from ..vehicle.drives import Drive
 
-__all__ = ["Called", "Error", "Kept", "Printed", "Seen", "SeenEnd", "SeenTimer", "Sent", "Value"]
+__all__ = ["Called", "Error", "Kept", "ObservedEndpoint", "ObservedRun", "ObservedTimer", "Printed", "Sent", "Value"]
 
 
 class Printed(NamedTuple):
@@ -24,7 +24,7 @@ class Printed(NamedTuple):
     heard: str = ""
 
 
-class SeenTimer(NamedTuple):
+class ObservedTimer(NamedTuple):
     """A timer: its number, when it was called (s), its ``state`` when Ctrl-C came, its period (s), in ROS 2 its node.
 
     The state is "running"; "stopped", as by ``shutdown()`` or ``cancel()``, or after the call of a one-shot timer;
@@ -43,11 +43,11 @@ class SeenTimer(NamedTuple):
         return self.period < 1e-5 and self.state == "running" and len(self.calls) > 1
 
 
-class SeenEnd(NamedTuple):
+class ObservedEndpoint(NamedTuple):
     """A publisher or a subscription: its topic, whether it ``publishes``, when it was made (s), and its QoS in words.
 
-    ``joined`` is with how many other ends it was connected, ``refused`` how many did not match it. In ROS 1 there is no
-    QoS, and what has the same topic in a node is one end.
+    ``joined`` is with how many other endpoints it was connected, ``refused`` how many did not match it. In ROS 1 there
+    is no QoS, and what has the same topic in a node is one endpoint.
     """
 
     topic: str
@@ -111,14 +111,14 @@ class Value(NamedTuple):
         return self.type in ("ellipsis", "NoneType")
 
 
-class Seen(NamedTuple):
+class ObservedRun(NamedTuple):
     """What an answer did in one run of ``seconds``.
 
     ``printed`` are the lines that it printed, even after Ctrl-C; ``timers`` are those that it had started by then.
     ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again,
     ``naps`` those in which such callbacks did.
-    ``ends`` are its publishers and subscriptions, ``parameters`` those that it had declared in ROS 2, or asked for in
-    ROS 1, ``sent`` the messages that it published, ``calls`` the requests to its services. ``status`` is its exit
+    ``endpoints`` are its publishers and subscriptions, ``parameters`` those that it had declared in ROS 2, or asked for
+    in ROS 1, ``sent`` the messages that it published, ``calls`` the requests to its services. ``status`` is its exit
     status, ``errors`` are the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until
     Ctrl-C. If it had to be killed, ``kept_at`` is where it was, and ``kept_by_rate`` says that it waited for a Rate of
     ROS 2 and nothing else. ``variables`` are the names and values of those requested variables that it has. If a
@@ -127,10 +127,10 @@ class Seen(NamedTuple):
 
     seconds: float
     printed: tuple[Printed, ...]
-    timers: tuple[SeenTimer, ...]
+    timers: tuple[ObservedTimer, ...]
     loops: tuple[int, ...]
     naps: tuple[int, ...]
-    ends: tuple[SeenEnd, ...]
+    endpoints: tuple[ObservedEndpoint, ...]
     parameters: tuple[str, ...]
     sent: tuple[Sent, ...]
     calls: tuple[Called, ...]
@@ -163,11 +163,11 @@ class Seen(NamedTuple):
         """Return the lines ``[tag] counter = 1`` and so on, up to Ctrl-C. The tag is the spinner nodes'."""
         return [line for line in self.values(tag or self.tag, "counter") if line.time <= self.seconds]
 
-    def ends_of(self, topic: str, publishes: bool) -> list[SeenEnd]:
+    def endpoints_of(self, topic: str, publishes: bool) -> list[ObservedEndpoint]:
         """Return its publishers, or its subscriptions, of a topic."""
-        return [end for end in self.ends if (end.topic, end.publishes) == (topic, publishes)]
+        return [endpoint for endpoint in self.endpoints if (endpoint.topic, endpoint.publishes) == (topic, publishes)]
 
-    def printers(self, lines: Collection[Printed]) -> tuple[list[SeenTimer], list[Printed]]:
+    def printers(self, lines: Collection[Printed]) -> tuple[list[ObservedTimer], list[Printed]]:
         """Return the timers whose calls printed these lines, and the lines that no timer printed."""
         known, found = {timer.number for timer in self.timers}, {line.timer for line in lines}
         return [timer for timer in self.timers if timer.number in found], [
