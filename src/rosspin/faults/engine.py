@@ -134,18 +134,18 @@ class Engine:
 
     # --- nodes --------------------------------------------------------------------------------------------------------
 
-    def lateness(self, one: str, other: str) -> int:
+    def discovery_delay(self, one: str, other: str) -> int:
         """Return how much (ns) later than usual two nodes of different processes find each other."""
-        late = 0
+        delay = 0
         for fault in self._of(Late):
             if fault.node in (one, other) and TESTER not in (one, other):
-                late += nanoseconds(fault.by)
+                delay += nanoseconds(fault.by)
                 pair = id(fault), frozenset((one, other))
                 if pair not in self._late:
                     self._late.add(pair)
                     which = f"{fault.node} to {one if other == fault.node else other}"
                     self.note(fault, "late", which, nanoseconds(fault.by))
-        return late
+        return delay
 
     @property
     def slows(self) -> bool:

@@ -17,7 +17,7 @@ from .context import RclContext
 if TYPE_CHECKING:
     from .handle import RclNode
 
-__all__ = ["ENDPOINT", "KEPT", "Participants", "late"]
+__all__ = ["ENDPOINT", "KEPT", "Participants", "discovery_delay"]
 
 # How long (ns) it takes until ..., as measured most often.
 ENDPOINT = 1_000_000  # another process knows an end of a topic
@@ -76,11 +76,11 @@ class Participants:
             if other.state is not context.state and (other.left is None or now < other.left):
                 met = self.met(context, other)
                 for node in other.nodes:
-                    if max(met, other.born[node] + ENDPOINT) + late(context.state.world.name, node) <= now:
+                    if max(met, other.born[node] + ENDPOINT) + discovery_delay(context.state.world.name, node) <= now:
                         yield node
 
 
-def late(name: str, node: RclNode) -> int:
+def discovery_delay(name: str, node: RclNode) -> int:
     """Return how much (ns) later than usual a node should be known to the node of a name, in another process."""
     faults = node.context.state.world.graph.faults
-    return faults.lateness(name, node.full_name) if faults else 0
+    return faults.discovery_delay(name, node.full_name) if faults else 0

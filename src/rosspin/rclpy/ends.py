@@ -11,7 +11,7 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import ref
 
-from .discovery import ENDPOINT, Participants, late
+from .discovery import ENDPOINT, Participants, discovery_delay
 from .duration import Held
 from .exceptions import InvalidHandle
 from .handle import Handle, Life
@@ -91,10 +91,10 @@ class Owner:
     def introduce(self, other: Any, *more: Any) -> None:
         """Let it and an end in another process learn of each other, each by its ``meet(other, *more)``."""
         met = self.world.graph.part(Participants).met(self.node.context, other.node.context)
-        lag = late(self.node.full_name, other.node)
+        delay = discovery_delay(self.node.full_name, other.node)
         both: tuple[Any, Any] = (self, other)
         for end, another in (both, both[::-1]):
-            end.world.at(max(end.made, another.made + ENDPOINT, met) + lag, partial(end.meet, another, *more))
+            end.world.at(max(end.made, another.made + ENDPOINT, met) + delay, partial(end.meet, another, *more))
 
     def withdraw(self) -> None:
         """Let no one find it any more."""

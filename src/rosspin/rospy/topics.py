@@ -331,8 +331,8 @@ class Connection(threading.Thread):
         subscription, publication = self.subscription, self.publication
         node, names = subscription.node, (publication.node.name, subscription.node.name)
         faults = node.world.graph.faults
-        late = faults.lateness(*names) if faults and publication.node is not node else 0
-        node.clock.sleep(self._delay + late)
+        delay = faults.discovery_delay(*names) if faults and publication.node is not node else 0
+        node.clock.sleep(self._delay + delay)
         with subscription.lock:
             if subscription.closed or publication.closed:
                 return

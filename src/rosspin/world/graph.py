@@ -85,7 +85,7 @@ class Faults(Protocol):
     def call(self, node: str, callback: Any) -> None:
         """Let the time pass that a callback of a node takes longer. This is called in its place, just before it."""
 
-    def lateness(self, one: str, other: str) -> int:
+    def discovery_delay(self, one: str, other: str) -> int:
         """Return how much (ns) later than usual two nodes of different processes find each other."""
 
     def transport(
