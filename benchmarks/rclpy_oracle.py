@@ -275,23 +275,23 @@ class _ActionEnd(Handle):
 
     def __init__(self, node: Node, name: str, kind: Callable[..., Any]) -> None:
         self.name, self.context = name, node.context
-        self.ends = [kind(node, None, f"{name}/_action/{part}", None) for part in ("goal", "cancel", "result")]
+        self.endpoints = [kind(node, None, f"{name}/_action/{part}", None) for part in ("goal", "cancel", "result")]
         self.heard: list[Heard] = []
         _actions.append(self)
 
     def is_ready(self, wait_set: WaitSet) -> list[bool]:
-        return [end.pointer in wait_set.found for end in (*self.heard, *self.ends)]
+        return [each.pointer in wait_set.found for each in (*self.heard, *self.endpoints)]
 
     def add_to_waitset(self, wait_set: WaitSet) -> None:
-        wait_set.others += [*self.heard, *self.ends]
+        wait_set.others += [*self.heard, *self.endpoints]
 
     def get_num_entities(self) -> tuple[int, ...]:
         return (0, 0, 0, 0, 0)
 
     def destroy_when_not_in_use(self) -> None:
         super().destroy_when_not_in_use()
-        for end in self.ends:
-            end.gone = True
+        for endpoint in self.endpoints:
+            endpoint.gone = True
 
 
 class ActionServer(_ActionEnd):
@@ -305,7 +305,7 @@ class ActionServer(_ActionEnd):
         return [*super().is_ready(wait_set), False]
 
     def take_goal_request(self, kind: Any, which: int = 0) -> Any:
-        request, header = self.ends[which].service_take_request(kind)
+        request, header = self.endpoints[which].service_take_request(kind)
         return header, request
 
     def take_cancel_request(self, kind: Any) -> Any:
@@ -315,13 +315,13 @@ class ActionServer(_ActionEnd):
         return self.take_goal_request(kind, 2)
 
     def send_goal_response(self, header: Header, response: Any) -> None:
-        self.ends[0].service_send_response(response, header)
+        self.endpoints[0].service_send_response(response, header)
 
     def send_cancel_response(self, header: Header, response: Any) -> None:
-        self.ends[1].service_send_response(response, header)
+        self.endpoints[1].service_send_response(response, header)
 
     def send_result_response(self, header: Header, response: Any) -> None:
-        self.ends[2].service_send_response(response, header)
+        self.endpoints[2].service_send_response(response, header)
 
     def goal_exists(self, info: Any) -> bool:
         return any(goal.info.goal_id == info.goal_id for goal in self.goals)
@@ -370,16 +370,16 @@ class ActionClient(_ActionEnd):
         self.heard = [Heard(10), Heard(1)]
 
     def send_goal_request(self, request: Any) -> int:
-        return int(self.ends[0].send_request(request))
+        return int(self.endpoints[0].send_request(request))
 
     def send_cancel_request(self, request: Any) -> int:
-        return int(self.ends[1].send_request(request))
+        return int(self.endpoints[1].send_request(request))
 
     def send_result_request(self, request: Any) -> int:
-        return int(self.ends[2].send_request(request))
+        return int(self.endpoints[2].send_request(request))
 
     def take_goal_response(self, kind: Any, which: int = 0) -> Any:
-        header, response = self.ends[which].take_response(kind)
+        header, response = self.endpoints[which].take_response(kind)
         return header and header.sequence_number, response
 
     def take_cancel_response(self, kind: Any) -> Any:

@@ -57,7 +57,7 @@ PARTS = {
     },
     "rclpy.executors": {"rclpy.context", "rclpy.handle", "rclpy.task"},
     "rclpy.context": {"rclpy.handle"},
-    "rclpy.ends": {"rclpy.handle"},
+    "rclpy.endpoints": {"rclpy.handle"},
     "rclpy.parameter": {"rclpy.exceptions"},
     "run.ros2launch.service": {"run.ros2launch.context", "run.ros2launch.modules", "run.ros2launch.process"},
     "clocks.simulation": {"clocks.stacks"},

@@ -72,7 +72,7 @@ def parameters(world: World) -> list[str]:
 
 
 def in_words(qos: QoSProfile) -> str:
-    """Return the policies that an end of a topic is often given."""
+    """Return the policies that an endpoint of a topic is often given."""
     return f"{qos.reliability.short_key}, {qos.durability.short_key}, depth {qos.depth}"
 
 

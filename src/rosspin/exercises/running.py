@@ -34,7 +34,7 @@ from ..run.source import Code, NodeLike, code_of_program, load_source
 from ..run.streams import capture
 from ..vehicle import ros1, ros2
 from ..vehicle.drives import NODE, OTHERS, Drive
-from ..world.graph import EndMade, TickLog
+from ..world.graph import RecordedEndpoint, TickLog
 from ..world.world import NotSimulated, World, current_world
 from . import in_rospy
 from .advice import not_called, not_found
@@ -348,7 +348,7 @@ class Runner:
 
             timers = in_cpp.that_stopped(timers, clock.numbers(), clock.printed, world)
             errors = in_cpp.errors(world, clock.printed, node.filename)
-        endpoints = self._fitting(map(self._endpoint, world.recording.ends))
+        endpoints = self._fitting(map(self._endpoint, world.recording.endpoints))
         messages = result.messages()
         own = [message for message in messages if not request.beside or message.node not in (NODE, *OTHERS)]
         sent, calls = self._fitting(map(_sent, own)), self._fitting(map(_called, result.calls()))
@@ -374,7 +374,7 @@ class Runner:
             self._language.name if self._language else "python",
         )
 
-    def _endpoint(self, made: EndMade) -> ObservedEndpoint:
+    def _endpoint(self, made: RecordedEndpoint) -> ObservedEndpoint:
         qos = self._ros.in_words(made.qos)
         return ObservedEndpoint(plain(made.topic), made.publishes, made.made, qos, made.joined, made.refused)
 

@@ -112,10 +112,10 @@ class Ros1:
             self._event("connect", [number, connects, connection.subscription.node.name, self._links.index(connection)])
 
         self._publishers.append(_Publisher(topic, _class(kind), latch=latch, queue_size=queue_size))
-        end = self._publishers[-1].impl
-        if is_told and isinstance(end, _Publication):
-            end.callbacks.append(tell)
-            for connection in end.connections:
+        endpoint = self._publishers[-1].impl
+        if is_told and isinstance(endpoint, _Publication):
+            endpoint.callbacks.append(tell)
+            for connection in endpoint.connections:
                 tell(True, connection)
         return number
 
@@ -125,9 +125,9 @@ class Ros1:
             publisher.publish(publisher.data_class().deserialize(data))
 
     def _publish_to(self, number: int, link: int, data: bytes) -> None:
-        end = self._publishers[number].impl
-        if isinstance(end, _Publication) and (connection := self._links[link]) in end.connections:
-            end.publish_to(end.data_class().deserialize(data), connection)
+        endpoint = self._publishers[number].impl
+        if isinstance(endpoint, _Publication) and (connection := self._links[link]) in endpoint.connections:
+            endpoint.publish_to(endpoint.data_class().deserialize(data), connection)
 
     def _subscribe(self, topic: str, kind: str) -> int:
         number = len(self._subscribers)
@@ -272,7 +272,7 @@ class _Publication(Publication):
 
 
 class _Publisher(Publisher):
-    _rosspin_end = _Publication
+    _rosspin_endpoint = _Publication
 
 
 class _Subscription(Subscription):
@@ -289,7 +289,7 @@ class _Subscription(Subscription):
 
 
 class _Subscriber(Subscriber):
-    _rosspin_end = _Subscription
+    _rosspin_endpoint = _Subscription
 
 
 class _Service(Service):

@@ -194,7 +194,7 @@ class Ros2:
         return {"id": len(self._subscriptions) - 1, "name": made.topic_name}
 
     def _events(self, is_publisher: bool, number: int, names: list[str]) -> dict[str, Callable[[Any], None]]:
-        """Return callbacks that tell the program of events of an end, of the publishers or of the subscriptions."""
+        """Return callbacks that tell the program of events of an endpoint: of publishers, or of subscriptions."""
 
         def teller(name: str) -> Callable[[Any], None]:
             def tell(info: Any) -> None:
@@ -213,25 +213,25 @@ class Ros2:
     def _client(self, node: int, name: str, kind: str, profile: dict[str, int]) -> dict[str, Any]:
         made = self._nodes[node].create_client(_class(kind), name, qos_profile=_profile(profile))
         self._clients.append(made)
-        end = made._rosspin
-        meet = end.meet
+        endpoint = made._rosspin
+        meet = endpoint.meet
 
         def meet_and_tell(other: Any) -> None:
             meet(other)
             self._event("service", [])
 
-        end.meet = meet_and_tell  # type: ignore[method-assign]
+        endpoint.meet = meet_and_tell  # type: ignore[method-assign]
         return {"id": len(self._clients) - 1, "name": made.service_name}
 
     def _send_request(self, number: int, data: bytes) -> int:
-        end = self._clients[number]._rosspin
-        return end.send_request(cdr.deserialize(data, end.srv_type.Request))
+        endpoint = self._clients[number]._rosspin
+        return endpoint.send_request(cdr.deserialize(data, endpoint.srv_type.Request))
 
     def _respond(self, service: int, number: int, data: bytes) -> None:
-        end = self._services[service]._rosspin
+        endpoint = self._services[service]._rosspin
         header = self._requests.pop(number, None)
-        if header and not end.is_destroyed:
-            end.send_response(cdr.deserialize(data, end.srv_type.Response), header)
+        if header and not endpoint.is_destroyed:
+            endpoint.send_response(cdr.deserialize(data, endpoint.srv_type.Response), header)
 
     def _feed(self) -> None:
         """Give the program all that has come for it."""
@@ -292,7 +292,7 @@ class _Node(Node):
         """Tell of the ones that the program makes; it has the same as this node from the beginning."""
 
     def tell_events(self) -> None:
-        """Tell of what has happened to its ends."""
+        """Tell of what has happened to its endpoints."""
         for waitable in self._rosspin_waitables:
             if call := waitable._rosspin_take():
                 function, arguments, _ = call

@@ -25,9 +25,9 @@ from .deadlines import Countdown
 from .exceptions import NameValidationException, RCLError, no_type_support
 from .handle import Life
 from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
-from .services import ClientEnd, ServerEnd, look_until
+from .services import ClientEndpoint, ServerEndpoint, look_until
 from .task import Future, await_or_execute
-from .topics import PublisherEnd, SubscriptionEnd
+from .topics import PublisherEndpoint, SubscriptionEndpoint
 from .waitable import NumberOfEntities
 from .waits import waiting_for
 
@@ -116,12 +116,12 @@ class GoalIds:
         return list(md5(f"goal {next(self._numbers)}".encode(), usedforsecurity=False).digest())
 
 
-class _ActionEnd:
-    """Base of the server and the client: one entity for the executor, with several ends."""
+class _ActionEntity:
+    """Base of the server and the client: one entity for the executor, with several endpoints."""
 
     _rosspin_word: str
     _rosspin_entities: NumberOfEntities
-    _rosspin: _ActionEnds
+    _rosspin: _ActionEndpoints
 
     def __init__(self, node: Node, action_type: type[Action], action_name: str, group: CallbackGroup | None) -> None:
         if not (isinstance(action_type, type) and issubclass(action_type, Action)):
@@ -151,29 +151,30 @@ class _ActionEnd:
         """How many things it waits for."""
         return self._rosspin_entities
 
-    def _rosspin_join(self, ends: Iterable[Any]) -> None:
-        """Let executors look at the ends: their order is that in which they are served."""
-        self._rosspin = _ActionEnds(list(ends))
+    def _rosspin_join(self, endpoints: Iterable[Any]) -> None:
+        """Let executors look at the endpoints: their order is that in which they are served."""
+        self._rosspin = _ActionEndpoints(list(endpoints))
         self._rosspin_life = Life(self._rosspin.destroy)
-        for end in self._rosspin.ends:
-            end.entity = ref(self)
+        for endpoint in self._rosspin.endpoints:
+            endpoint.entity = ref(self)
         self.callback_group.add_entity(self)
         self._node.add_waitable(self)
 
     def _rosspin_take(self) -> Any:
-        """Return the call to make: with one message of each end that was ready when the executor looked."""
+        """Return the call to make: with one message of each endpoint that was ready when the executor looked."""
         own = self._rosspin
         if own.is_destroyed:
             return None
-        return self._rosspin_execute, ([(end, *end.messages.popleft()) for end in own.ready if end.messages],), None
+        taken = [(each, *each.messages.popleft()) for each in own.ready if each.messages]
+        return self._rosspin_execute, (taken,), None
 
     async def _rosspin_execute(self, taken: list[tuple[Any, Any, Any]]) -> None:
         for future in self._futures:
             future._set_executor(self._node.executor)
-        for end, *message in taken:
-            await self._rosspin_serve(end, *message)
+        for endpoint, *message in taken:
+            await self._rosspin_serve(endpoint, *message)
 
-    async def _rosspin_serve(self, end: Any, first: Any, second: Any) -> None:
+    async def _rosspin_serve(self, endpoint: Any, first: Any, second: Any) -> None:
         raise NotImplementedError
 
     def destroy(self) -> None:
@@ -182,26 +183,26 @@ class _ActionEnd:
         self._node.remove_waitable(self)
 
 
-class _ActionEnds:
-    """The ends of an action's server or client, for an executor."""
+class _ActionEndpoints:
+    """The endpoints of an action's server or client, for an executor."""
 
-    def __init__(self, ends: list[Any]) -> None:
-        self.ends = ends
+    def __init__(self, endpoints: list[Any]) -> None:
+        self.endpoints = endpoints
         self.ready: list[Any] = []
         self.is_destroyed = False
         self.looks_for_expired = False  # of a server
 
     @property
     def messages(self) -> bool:
-        """Whether there is something to take, or to forget; which of the ends have it is noted in ``ready``."""
-        self.ready = [end for end in self.ends if getattr(end, "messages", None)]
+        """Whether there is something to take, or to forget; which of the endpoints have it is noted in ``ready``."""
+        self.ready = [endpoint for endpoint in self.endpoints if getattr(endpoint, "messages", None)]
         return bool(self.ready) or self.looks_for_expired
 
     def destroy(self) -> None:
         """Leave the action."""
         self.is_destroyed = True
-        for end in self.ends:
-            end.destroy()
+        for endpoint in self.endpoints:
+            endpoint.destroy()
 
 
 # --- the server -------------------------------------------------------------------------------------------------------
@@ -306,7 +307,7 @@ def default_cancel_callback(cancel_request: ServerGoalHandle) -> CancelResponse:
     return CancelResponse.REJECT
 
 
-class ActionServer(_ActionEnd):
+class ActionServer(_ActionEntity):
     """Lets an executor call ``execute_callback(goal_handle)`` for each goal; what it returns is the result.
 
     ``goal_callback(goal)`` decides which goals are accepted, ``cancel_callback(goal_handle)`` which are cancelled, and
@@ -344,11 +345,11 @@ class ActionServer(_ActionEnd):
             raise ValueError("Failed to create action server: timer period must be non-negative")
         impl = action_type.Impl
 
-        def serve(srv_type: Any, part: str, qos: QoSProfile) -> ServerEnd:
-            return ServerEnd(node._rosspin, srv_type, self._rosspin_names(part, True), qos)
+        def serve(srv_type: Any, part: str, qos: QoSProfile) -> ServerEndpoint:
+            return ServerEndpoint(node._rosspin, srv_type, self._rosspin_names(part, True), qos)
 
-        def publish(msg_type: Any, part: str, qos: QoSProfile) -> PublisherEnd:
-            return PublisherEnd(node._rosspin, msg_type, self._rosspin_names(part, False), qos).begin()
+        def publish(msg_type: Any, part: str, qos: QoSProfile) -> PublisherEndpoint:
+            return PublisherEndpoint(node._rosspin, msg_type, self._rosspin_names(part, False), qos).begin()
 
         self._rosspin_goals_asked = serve(impl.SendGoalService, "send_goal", goal_service_qos_profile)
         self._rosspin_cancels_asked = serve(impl.CancelGoalService, "cancel_goal", cancel_service_qos_profile)
@@ -405,10 +406,10 @@ class ActionServer(_ActionEnd):
             self._rosspin.looks_for_expired = False
             self._rosspin_drop_expired()
 
-    async def _rosspin_serve(self, end: Any, request: Any, header: Any) -> None:
-        if end is self._rosspin_goals_asked:
+    async def _rosspin_serve(self, endpoint: Any, request: Any, header: Any) -> None:
+        if endpoint is self._rosspin_goals_asked:
             await self._rosspin_take_goal(request, header)
-        elif end is self._rosspin_cancels_asked:
+        elif endpoint is self._rosspin_cancels_asked:
             await self._rosspin_cancel(request, header)
         else:
             self._rosspin_give_result(request, header)
@@ -611,7 +612,7 @@ class ClientGoalHandle:
         return self._action_client._get_result_async(self)
 
 
-class ActionClient(_ActionEnd):
+class ActionClient(_ActionEntity):
     """Sends goals to a server. An executor has to spin its node, which takes what the server sends."""
 
     _rosspin_word = "client"
@@ -633,11 +634,11 @@ class ActionClient(_ActionEnd):
         super().__init__(node, action_type, action_name, callback_group)
         impl = action_type.Impl
 
-        def ask(srv_type: Any, part: str, qos: QoSProfile) -> ClientEnd:
-            return ClientEnd(node._rosspin, srv_type, self._rosspin_names(part, True), qos)
+        def ask(srv_type: Any, part: str, qos: QoSProfile) -> ClientEndpoint:
+            return ClientEndpoint(node._rosspin, srv_type, self._rosspin_names(part, True), qos)
 
-        def hear(msg_type: Any, part: str, qos: QoSProfile) -> SubscriptionEnd:
-            return SubscriptionEnd(node._rosspin, msg_type, self._rosspin_names(part, False), qos).begin()
+        def hear(msg_type: Any, part: str, qos: QoSProfile) -> SubscriptionEndpoint:
+            return SubscriptionEndpoint(node._rosspin, msg_type, self._rosspin_names(part, False), qos).begin()
 
         self._rosspin_goals = ask(impl.SendGoalService, "send_goal", goal_service_qos_profile)
         self._rosspin_cancels = ask(impl.CancelGoalService, "cancel_goal", cancel_service_qos_profile)
@@ -649,7 +650,7 @@ class ActionClient(_ActionEnd):
         self._action_name = action_name
         self._rosspin_lock = threading.Lock()
         # By client and number of the request: the future of the answer, and the goal that it is about.
-        self._rosspin_pending: dict[tuple[ClientEnd, int], tuple[Future, Any]] = {}
+        self._rosspin_pending: dict[tuple[ClientEndpoint, int], tuple[Future, Any]] = {}
         self._rosspin_join(
             [
                 self._rosspin_goals,
@@ -697,7 +698,7 @@ class ActionClient(_ActionEnd):
     def _get_result(self, goal_handle: ClientGoalHandle) -> Any:
         return _wait_for(self._get_result_async(goal_handle))
 
-    def _rosspin_ask(self, client: ClientEnd, request: Message, goal_id: Any, what: str) -> Future:
+    def _rosspin_ask(self, client: ClientEndpoint, request: Message, goal_id: Any, what: str) -> Future:
         if self._rosspin.is_destroyed:
             raise RCLError(f"Failed to {what} request: action client pointer is invalid")
         future = Future()
@@ -716,16 +717,16 @@ class ActionClient(_ActionEnd):
                 if client is self._rosspin_results:
                     self._feedback_callbacks.pop(bytes(goal_id.uuid), None)
 
-    async def _rosspin_serve(self, end: Any, first: Any, second: Any) -> None:
-        if end is self._rosspin_feedback:
+    async def _rosspin_serve(self, endpoint: Any, first: Any, second: Any) -> None:
+        if endpoint is self._rosspin_feedback:
             if callback := self._feedback_callbacks.get(bytes(first.goal_id.uuid)):
                 await await_or_execute(callback, first)
-        elif end is self._rosspin_status:
+        elif endpoint is self._rosspin_status:
             self._rosspin_note(first)
         elif second is not None:  # else it is the answer to another client
-            self._rosspin_settle(end, first, second)
+            self._rosspin_settle(endpoint, first, second)
 
-    def _rosspin_settle(self, client: ClientEnd, number: int, response: Any) -> None:
+    def _rosspin_settle(self, client: ClientEndpoint, number: int, response: Any) -> None:
         with self._rosspin_lock:
             asked = self._rosspin_pending.get((client, number))
         if asked is None:
@@ -759,7 +760,7 @@ class ActionClient(_ActionEnd):
                     del self._goal_handles[uuid]
 
     def server_is_ready(self) -> bool:
-        """Whether a server is known, with all of its ends."""
+        """Whether a server is known, with all of its endpoints."""
         self._node._rosspin.check()
         if self._rosspin.is_destroyed:
             raise RCLError("Failed to check if action server is available: rcl node pointer is invalid")

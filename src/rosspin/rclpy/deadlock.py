@@ -16,7 +16,7 @@ from ..world.world import keeper, thread_name
 from .action import ActionClient, ActionServer
 from .discovery import Participants
 from .executors import MultiThreadedExecutor
-from .services import ClientEnd, ServerEnd, Service
+from .services import ClientEndpoint, ServerEndpoint, Service
 from .task import Future, Task
 from .timer import Timer
 from .topics import Subscription
@@ -168,7 +168,7 @@ class _Run:
                 return self._kept([*begin, "the answer has come"], entity, waiter, "the client")
             if not client.peers:
                 return _Step([*begin, "no node offers that, as far as it knows"], None, _SERVE)
-            for service in (peer for peer in client.peers if isinstance(peer, ServerEnd)):  # not a test's
+            for service in (peer for peer in client.peers if isinstance(peer, ServerEndpoint)):  # not a test's
                 serving = service.entity()
                 if any((header.client, header.sequence) == (client, number) for _, header in service.messages):
                     what = "the service" if isinstance(serving, Service) else "the action server"
@@ -185,7 +185,7 @@ class _Run:
         what, advice = ("the end of {}", "") if is_end else ("a lock that {} holds", _HOLDING)
         return _Step([f"{waiter.name} waits for {what.format(following.name)}", *at], following, advice)
 
-    def _asked(self, goal: Any) -> Iterator[tuple[ClientEnd, int, Any]]:
+    def _asked(self, goal: Any) -> Iterator[tuple[ClientEndpoint, int, Any]]:
         """Find who asked for a future: the client, the number of its request, and the entity that takes the answer."""
         for node in self._nodes:
             for client in node._clients:
@@ -235,7 +235,7 @@ class _Run:
         return following and _Step(lines, following, advice)
 
     @staticmethod
-    def _executes(task: Task, server: Any, client: ClientEnd, number: int) -> bool:
+    def _executes(task: Task, server: Any, client: ClientEndpoint, number: int) -> bool:
         """Whether a task executes the goal whose result a client has asked for."""
         if not (isinstance(server, ActionServer) and getattr(task._handler, "__self__", None) is server):
             return False
@@ -255,9 +255,9 @@ class _Run:
         if isinstance(entity, Timer):
             return f"the timer's callback {_function(entity.callback)}"
         if isinstance(entity, Subscription):
-            return f"the callback of {entity._rosspin.end.topic} ({_function(entity.callback)})"
+            return f"the callback of {entity._rosspin.entry.topic} ({_function(entity.callback)})"
         if isinstance(entity, Service):
-            return f"the callback of the service {entity._rosspin.end.topic} ({_function(entity.callback)})"
+            return f"the callback of the service {entity._rosspin.entry.topic} ({_function(entity.callback)})"
         if isinstance(entity, (ActionServer, ActionClient)):
             return f"the callback of the action {entity._rosspin_name}"
         handler, (args, _) = task._handler, task._rosspin_arguments
@@ -270,9 +270,9 @@ def _receivers(node: Node) -> list[Any]:
     return [*node._clients, *node._services, *node._rosspin_waitables]
 
 
-def _what(client: ClientEnd) -> str:
-    action, _, part = client.end.topic.partition("/_action/")
-    return _OF_ACTIONS[part].format(action) if part else f"the answer of {client.end.topic}"
+def _what(client: ClientEndpoint) -> str:
+    action, _, part = client.entry.topic.partition("/_action/")
+    return _OF_ACTIONS[part].format(action) if part else f"the answer of {client.entry.topic}"
 
 
 def _function(callback: Any) -> str:

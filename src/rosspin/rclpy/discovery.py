@@ -1,8 +1,7 @@
 """How processes of ROS 2 find and miss each other, as measured on Jazzy with Fast DDS on one machine.
 
-Other processes know a context some time after its first node was made, and the end of a topic, or of a service, soon
-after it was made.
-Each side learns of the other by itself. Within a process all is known immediately.
+Other processes know a context some time after its first node was made, and the endpoint of a topic, or of a service,
+soon after it was made. Each side learns of the other by itself. Within a process all is known immediately.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["ENDPOINT", "KEPT", "Participants", "discovery_delay"]
 
 # How long (ns) it takes until ..., as measured most often.
-ENDPOINT = 1_000_000  # another process knows an end of a topic
+ENDPOINT = 1_000_000  # another process knows an endpoint of a topic
 PARTICIPANT = 115_000_000  # another process knows a context
 KEPT = 12_000_000  # the messages that a publisher has kept come
 END = 35_000_000  # a process that has ended is missed
@@ -58,12 +57,12 @@ class Participants:
         if context.left is None:
             context.left = context.state.clock.now() + (LEASE if killed else END)
             for node in context.nodes:
-                for end in list(node.ends):
+                for endpoint in list(node.endpoints):
                     if killed:
-                        end.fall_silent()
-                    end.be_missed(context.left)
+                        endpoint.fall_silent()
+                    endpoint.be_missed(context.left)
                     if not killed:
-                        end.withdraw()
+                        endpoint.withdraw()
 
     def all_nodes(self) -> list[RclNode]:
         """The nodes of all processes, known or not."""

@@ -1,4 +1,4 @@
-"""What the ends of topics tell a node: who comes and goes, and what is late (source: rclpy/event_handler.py)."""
+"""What the endpoints of topics tell a node: who comes and goes, and what is late (source: rclpy/event_handler.py)."""
 
 from __future__ import annotations
 
@@ -71,14 +71,14 @@ class QoSLivelinessChangedInfo:
 
 @dataclass(frozen=True)
 class QoSRequestedIncompatibleQoSInfo(QoSRequestedDeadlineMissedInfo):
-    """How many ends do not match, and the policy by which the last one does not."""
+    """How many endpoints do not match, and the policy by which the last one does not."""
 
     last_policy_kind: QoSPolicyKind
 
 
 @dataclass(frozen=True)
 class QoSPublisherMatchedInfo(QoSRequestedDeadlineMissedInfo):
-    """How many other ends have been met, and how many are there; the changes since the last call."""
+    """How many other endpoints have been met, and how many are there; the changes since the last call."""
 
     current_count: int
     current_count_change: int
@@ -102,7 +102,7 @@ _INFOS: dict[str, type[Any]] = {
 
 
 class EventHandler:
-    """Lets an executor call ``callback(info)`` after events of an end: one call for all since the last."""
+    """Lets an executor call ``callback(info)`` after events of an endpoint: one call for all since the last."""
 
     _rosspin_is_rare = False  # whether executors look at it only from its first event on
 
@@ -118,7 +118,7 @@ class EventHandler:
         callback_group.add_entity(self)
 
     def _rosspin_happen(self, policy: QoSPolicyKind = QoSPolicyKind.INVALID, **changes: int) -> None:
-        """Let the executor tell of changes of the counts, and of the policy by which an end does not fit."""
+        """Let the executor tell of changes of the counts, and of the policy by which an endpoint does not fit."""
         own = self._rosspin
         if own.is_destroyed:
             return
@@ -154,7 +154,7 @@ class EventHandler:
 class _Listener:
     """What an event handler has to tell: ``messages`` is whether there is anything."""
 
-    ends = ()
+    endpoints = ()
 
     def __init__(self, node: RclNode) -> None:
         self.node = node
@@ -179,15 +179,17 @@ class _EventCallbacks:
     _rosspin_types: ClassVar[Mapping[str, IntEnum]]  # by the name of the callback, in the order of the calls
     _rosspin_refusal: ClassVar[str]
 
-    def create_event_handlers(self, callback_group: CallbackGroup, end: Any, topic_name: str) -> list[EventHandler]:
-        """Make what tells the events of an end, to the callbacks that were given or to the log."""
+    def create_event_handlers(
+        self, callback_group: CallbackGroup, endpoint: Any, topic_name: str
+    ) -> list[EventHandler]:
+        """Make what tells the events of an endpoint, to the callbacks that were given or to the log."""
 
         def log_policy(info: QoSRequestedIncompatibleQoSInfo) -> None:
             policy = qos_policy_name_from_kind(info.last_policy_kind)
-            get_logger(end.node.logger_name).warn(self._rosspin_refusal.format(topic_name, policy))
+            get_logger(endpoint.node.logger_name).warn(self._rosspin_refusal.format(topic_name, policy))
 
         def log_type(info: Any) -> None:
-            get_logger(end.node.logger_name).warn(
+            get_logger(endpoint.node.logger_name).warn(
                 f"Incompatible type on topic '{topic_name}', no messages will be sent to it."
             )
 
@@ -197,9 +199,9 @@ class _EventCallbacks:
             default = defaults.get(name) if self.use_default_callbacks else None
             if callback := getattr(self, name) or default:
                 handler = EventHandler(
-                    callback_group=callback_group, callback=callback, event_type=event_type, parent_impl=end
+                    callback_group=callback_group, callback=callback, event_type=event_type, parent_impl=endpoint
                 )
-                handler._rosspin_is_rare = callback is default  # nearly every end has it, and next to none needs it
+                handler._rosspin_is_rare = callback is default  # nearly each endpoint has it, hardly any needs it
                 handlers.append(handler)
         return handlers
 

@@ -16,7 +16,7 @@ from .exceptions import InvalidHandle
 if TYPE_CHECKING:
     from .arguments import Arguments
     from .context import RclContext
-    from .ends import Owner
+    from .endpoints import Endpoint
     from .executors import Executor
     from .node import Node
 
@@ -86,7 +86,7 @@ def _nobody() -> None:
 class RclNode:
     """What rcl keeps of a node (source: rcl/node.c). Others know it until ``release`` was called for each user.
 
-    Its users are the Node, until that is destroyed or gone, and each end of a topic or service that it has made.
+    Its users are the Node, until that is destroyed or gone, and each endpoint of a topic or service that it has made.
     """
 
     def __init__(self, node: Node, context: RclContext, name: str, namespace: str, arguments: list[Arguments]) -> None:
@@ -96,7 +96,7 @@ class RclNode:
         self.full_name = f"{namespace.rstrip('/')}/{name}"
         self.logger_name = self.full_name[1:].replace("/", ".")
         self.arguments = arguments
-        self.ends: list[Owner] = []
+        self.endpoints: list[Endpoint] = []
         self.node: Callable[[], Node | None] = ref(node)
         self.executor: Callable[[], Executor | None] = _nobody  # to which the node was last added
         self.is_destroyed = False

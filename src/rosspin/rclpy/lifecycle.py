@@ -15,7 +15,7 @@ from .handle import Life
 from .logging import get_logger
 from .qos import QoSProfile
 from .topics import Publisher as TopicPublisher
-from .topics import PublisherEnd
+from .topics import PublisherEndpoint
 
 __all__ = [
     "LifecycleNode",
@@ -172,9 +172,9 @@ class LifecyclePublisher(SimpleManagedEntity, TopicPublisher):
         TopicPublisher.publish(self, msg)
 
 
-def _leave(ends: list[Any]) -> None:
-    for end in ends:
-        end.destroy()
+def _leave(endpoints: list[Any]) -> None:
+    for endpoint in endpoints:
+        endpoint.destroy()
 
 
 class _StateMachine:
@@ -188,9 +188,11 @@ class _StateMachine:
             raise not_accepted(signature, "Node", communicates)
         self._types = import_module("lifecycle_msgs.msg")
         topic = node._rosspin_resolve("~/transition_event")
-        self._publisher = PublisherEnd(node._rosspin, self._types.TransitionEvent, topic, QoSProfile(depth=10)).begin()
-        self._ends: list[Any] = [self._publisher]
-        self._life = Life(partial(_leave, self._ends))
+        self._publisher = PublisherEndpoint(
+            node._rosspin, self._types.TransitionEvent, topic, QoSProfile(depth=10)
+        ).begin()
+        self._endpoints: list[Any] = [self._publisher]
+        self._life = Life(partial(_leave, self._endpoints))
         self.current_state = 1, _STATES[1]
         self.available_states = list(_STATES.items())
         self.transition_graph = _GRAPH

@@ -36,17 +36,17 @@ from .parameter_service import ParameterService
 from .parameter_service import look as look_for_parameters
 from .qos import DurabilityPolicy, QoSProfile, qos_profile_services_default
 from .qos_overriding_options import QoSOverridingOptions, _declare_qos_parameters
-from .services import Client, ClientEnd, Ends, ServerEnd, Service, ServiceEnd
+from .services import Client, ClientEndpoint, ServerEndpoint, Service, ServiceEndpoint, ServiceEndpoints
 from .time_source import TimeSource
 from .timer import Rate, Timer
 from .topic_endpoint_info import TopicEndpointInfo, info_of
-from .topics import Publisher, PublisherEnd, Subscription, SubscriptionEnd, TopicEnd
+from .topics import Publisher, PublisherEndpoint, Subscription, SubscriptionEndpoint, TopicEndpoint
 from .type_description_service import START_TYPE_DESCRIPTION_SERVICE_PARAM
 from .type_support import check_is_valid_msg_type, check_is_valid_srv_type
 
 if TYPE_CHECKING:
     from .action import ActionClient, ActionServer
-    from .ends import Owner
+    from .endpoints import Endpoint
     from .executors import Executor
 
 __all__ = ["Node"]
@@ -62,20 +62,19 @@ class NodeNameNonExistentError(RCLError):
     """There is no such node."""
 
 
-def _by_name(ends: Iterable[Owner], topics: Mapping[str, Set[str]]) -> list[tuple[str, list[str]]]:
-    """Sort the topics, or services, of these ends, and the ``topics`` given, with their types."""
+def _by_name(endpoints: Iterable[Endpoint], topics: Mapping[str, Set[str]]) -> list[tuple[str, list[str]]]:
+    """Sort the topics, or services, of these endpoints, and the ``topics`` given, with their types."""
     found = {topic: set(types) for topic, types in topics.items()}
-    for owner in ends:
-        found.setdefault(owner.end.topic, set()).add(owner.end.type)
+    for endpoint in endpoints:
+        found.setdefault(endpoint.entry.topic, set()).add(endpoint.entry.type)
     return [(topic, sorted(types)) for topic, types in sorted(found.items())]
 
 
-def _ends(node: RclNode, kind: type[Owner]) -> list[Owner]:
+def _endpoints(node: RclNode, kind: type[Endpoint]) -> list[Endpoint]:
     """List the publishers, the subscriptions, the clients or the services of a node and of its actions."""
-    owner = node.node()
-    if owner is not None and kind is ServerEnd:
-        owner._rosspin_start_services()
-    return [end for end in node.ends if isinstance(end, kind)]
+    if kind is ServerEndpoint and (made_by := node.node()) is not None:
+        made_by._rosspin_start_services()
+    return [endpoint for endpoint in node.endpoints if isinstance(endpoint, kind)]
 
 
 def _describing(node: RclNode) -> dict[str, set[str]]:
@@ -205,7 +204,7 @@ class Node(Parameters):
         own.describes = self.get_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM).value
         # Whoever looks for these services first may be another process, which would import classes of its own.
         self._rosspin_lacking = import_module("rcl_interfaces.srv") if start_parameter_services else None
-        is_asked = own.full_name in own.context.state.world.graph.part(Ends).asked
+        is_asked = own.full_name in own.context.state.world.graph.part(ServiceEndpoints).asked
         if is_asked or self._rosspin_has_own("create_service", "destroy_service", "get_name", "default_callback_group"):
             self._rosspin_start_services()
         if enable_logger_service:
@@ -253,10 +252,10 @@ class Node(Parameters):
         self._rosspin.topics.make(own_topics.PARAMETER_EVENTS)
         yield from self._publishers
 
-    def _rosspin_add_event_publisher(self, end: PublisherEnd) -> None:
+    def _rosspin_add_event_publisher(self, endpoint: PublisherEndpoint) -> None:
         """Keep the publisher of /parameter_events, which is made when someone looks, before all others."""
         events, group = PublisherEventCallbacks(), self._default_callback_group
-        publisher = Publisher(end, end.msg_type, end.end.topic, end.qos_profile, events, group)
+        publisher = Publisher(endpoint, endpoint.msg_type, endpoint.entry.topic, endpoint.qos_profile, events, group)
         later, self._rosspin_events = self._rosspin_events, []
         self._rosspin_expect(publisher.event_handlers)
         self._rosspin_events += later
@@ -303,7 +302,7 @@ class Node(Parameters):
         self._wake_executor()
 
     def _rosspin_expect(self, handlers: list[EventHandler]) -> None:
-        """Serve the events of an end."""
+        """Serve the events of an endpoint."""
         self._rosspin_events.extend(handlers)
         for handler in handlers:
             if not handler._rosspin_is_rare or handler._rosspin.messages:
@@ -461,8 +460,8 @@ class Node(Parameters):
                 f"rt{full_name} with incompatible type {other}"
             )
         events = event_callbacks or PublisherEventCallbacks()
-        end = PublisherEnd(self._rosspin, _class_of(msg_type), full_name, qos)
-        publisher = publisher_class(end, msg_type, topic, qos, event_callbacks=events, callback_group=group)
+        endpoint = PublisherEndpoint(self._rosspin, _class_of(msg_type), full_name, qos)
+        publisher = publisher_class(endpoint, msg_type, topic, qos, event_callbacks=events, callback_group=group)
         self._rosspin_expect(publisher.event_handlers)
         self._publishers.append(publisher)
         self._wake_executor()
@@ -490,8 +489,8 @@ class Node(Parameters):
             raise RCLError("Failed to create subscription: invalid allocator")
         own_topics.look(self._rosspin, full_name)
         events = event_callbacks or SubscriptionEventCallbacks()
-        end = SubscriptionEnd(self._rosspin, _class_of(msg_type), full_name, qos, raw)
-        subscription = Subscription(end, msg_type, topic, callback, group, qos, raw, events)
+        endpoint = SubscriptionEndpoint(self._rosspin, _class_of(msg_type), full_name, qos, raw)
+        subscription = Subscription(endpoint, msg_type, topic, callback, group, qos, raw, events)
         self._rosspin_expect(subscription.event_handlers)
         self._rosspin_add(subscription, self._subscriptions)
         self._rosspin.context.state.world.await_spin()
@@ -524,8 +523,8 @@ class Node(Parameters):
     def _rosspin_other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
         """Return the type with which this process uses a topic, in DDS's words, if it is not ``msg_type``."""
         for node in self._rosspin.context.nodes:
-            for owner in node.ends:
-                if isinstance(owner, TopicEnd) and owner.end.topic == full_name and owner.msg_type is not msg_type:
+            for each in node.endpoints:
+                if isinstance(each, TopicEndpoint) and each.entry.topic == full_name and each.msg_type is not msg_type:
                     package, folder, *_ = msg_type.__module__.split(".")
                     return f"{package}::{folder}::dds_::{msg_type.__name__}_"
         return None
@@ -566,8 +565,9 @@ class Node(Parameters):
         self._rosspin.check()
         self._rosspin_check_context("failed to get topic names and types")
         own = [node for context in self._rosspin.context.state.contexts for node in context.nodes]
-        ends = {end: None for node in (*own, *self._rosspin_nodes()) for end in node.ends if isinstance(end, TopicEnd)}
-        return _by_name(ends, own_topics.TYPES)
+        nodes = (*own, *self._rosspin_nodes())
+        endpoints = {each: None for node in nodes for each in node.endpoints if isinstance(each, TopicEndpoint)}
+        return _by_name(endpoints, own_topics.TYPES)
 
     def _rosspin_nodes(self) -> list[RclNode]:
         """The known nodes: its context's, and the ones found in other processes."""
@@ -583,14 +583,15 @@ class Node(Parameters):
     ) -> list[tuple[str, list[str]]]:
         """Return the topics that a node publishes, and their types. Raises NodeNameNonExistentError if unknown."""
         return _by_name(
-            _ends(self._rosspin_find("publisher", node_name, node_namespace), PublisherEnd), own_topics.TYPES
+            _endpoints(self._rosspin_find("publisher", node_name, node_namespace), PublisherEndpoint), own_topics.TYPES
         )
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
         """Return the topics that a node subscribes to, and their types. Raises NodeNameNonExistentError."""
-        return _by_name(_ends(self._rosspin_find("subscriber", node_name, node_namespace), SubscriptionEnd), {})
+        node = self._rosspin_find("subscriber", node_name, node_namespace)
+        return _by_name(_endpoints(node, SubscriptionEndpoint), {})
 
     def _rosspin_find(self, what: str, name: str, namespace: str) -> RclNode:
         self._rosspin.check()
@@ -602,31 +603,31 @@ class Node(Parameters):
 
     def count_publishers(self, topic_name: str) -> int:
         """Count the known publishers of a topic; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self._rosspin_count(topic_name, "publishers", PublisherEnd)
+        return self._rosspin_count(topic_name, "publishers", PublisherEndpoint)
 
     def count_subscribers(self, topic_name: str) -> int:
         """Count the known subscriptions to a topic; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self._rosspin_count(topic_name, "subscribers", SubscriptionEnd)
+        return self._rosspin_count(topic_name, "subscribers", SubscriptionEndpoint)
 
-    def _rosspin_count(self, name: str, what: str, kind: type[Owner]) -> int:
+    def _rosspin_count(self, name: str, what: str, kind: type[Endpoint]) -> int:
         full_name = names.expand_topic_name(name, self.get_name(), self.get_namespace())
         names.validate_full_topic_name(full_name)
         self._rosspin_check_context(f"Error in rcl_count_{what}")
         own_topics.look(self._rosspin, full_name)
-        return sum(end.end.topic == full_name for node in self._rosspin_nodes() for end in _ends(node, kind))
+        return sum(each.entry.topic == full_name for node in self._rosspin_nodes() for each in _endpoints(node, kind))
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
         """Tell of the known publishers of a topic. Its name is remapped, unless it is one of DDS (``no_mangle``).
 
         Raises ValueError and InvalidHandle.
         """
-        return self._rosspin_infos(topic_name, no_mangle, PublisherEnd)
+        return self._rosspin_infos(topic_name, no_mangle, PublisherEndpoint)
 
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
         """The same of the known subscriptions."""
-        return self._rosspin_infos(topic_name, no_mangle, SubscriptionEnd)
+        return self._rosspin_infos(topic_name, no_mangle, SubscriptionEndpoint)
 
-    def _rosspin_infos(self, name: str, no_mangle: bool, kind: type[Owner]) -> list[TopicEndpointInfo]:
+    def _rosspin_infos(self, name: str, no_mangle: bool, kind: type[Endpoint]) -> list[TopicEndpointInfo]:
         self._rosspin.check()
         if no_mangle:
             name = name.removeprefix("rt") if name.startswith("rt/") else ""
@@ -635,10 +636,11 @@ class Node(Parameters):
             names.validate_full_topic_name(name)
             name = self._rosspin_resolve(name)
             own_topics.look(self._rosspin, name)
-        what = "publishers" if kind is PublisherEnd else "subscriptions"
+        what = "publishers" if kind is PublisherEndpoint else "subscriptions"
         self._rosspin_check_context(f"Failed to get information by topic for {what}")
-        ends = [end for node in self._rosspin_nodes() for end in _ends(node, kind) if end.end.topic == name]
-        return [info_of(end, end.node, kind is PublisherEnd, no_mangle) for end in ends]
+        nodes = self._rosspin_nodes()
+        endpoints = [each for node in nodes for each in _endpoints(node, kind) if each.entry.topic == name]
+        return [info_of(endpoint, endpoint.node, kind is PublisherEndpoint, no_mangle) for endpoint in endpoints]
 
     def _rosspin_check_context(self, error: str) -> None:
         if not self._context.ok():
@@ -662,8 +664,8 @@ class Node(Parameters):
         group = callback_group or self.default_callback_group
         full_name = self._rosspin_prepare_service("client", srv_type, srv_name, qos_profile)
         look_for_parameters(self._rosspin.context.state.world.graph, full_name)
-        end = ClientEnd(self._rosspin, srv_type, full_name, qos_profile)
-        client = Client(self._context, end, srv_type, srv_name, qos_profile, group)
+        endpoint = ClientEndpoint(self._rosspin, srv_type, full_name, qos_profile)
+        client = Client(self._context, endpoint, srv_type, srv_name, qos_profile, group)
         self._rosspin_add(client, self._clients)
         return client
 
@@ -684,8 +686,8 @@ class Node(Parameters):
         full_name = self._rosspin_prepare_service("service", srv_type, srv_name, qos_profile)
         if qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL:
             logging.get_logger("rcl").warning(_TRANSIENT_LOCAL)
-        end = ServerEnd(self._rosspin, srv_type, full_name, qos_profile)
-        service = Service(end, srv_type, srv_name, callback, group, qos_profile)
+        endpoint = ServerEndpoint(self._rosspin, srv_type, full_name, qos_profile)
+        service = Service(endpoint, srv_type, srv_name, callback, group, qos_profile)
         self._rosspin_add(service, self._services)
         return service
 
@@ -702,8 +704,12 @@ class Node(Parameters):
             raise RCLError(f"failed to create {what}: rcl node's context is invalid")
         full_name = self._rosspin_resolve(name, is_service=True)
         for node in self._rosspin.context.nodes:
-            for end in node.ends:
-                if isinstance(end, ServiceEnd) and end.end.topic == full_name and end.srv_type is not srv_type:
+            for each in node.endpoints:
+                if (
+                    isinstance(each, ServiceEndpoint)
+                    and each.entry.topic == full_name
+                    and each.srv_type is not srv_type
+                ):
                     kind = f"{srv_type.__module__.split('.')[0]}::srv::dds_::{srv_type.__name__}_Request_"
                     raise RCLError(
                         f"failed to create {what}: create_{what}() called for existing request topic name "
@@ -716,25 +722,26 @@ class Node(Parameters):
         self._rosspin.check()
         self._rosspin_check_context("failed to get service names and types")
         nodes = self._rosspin_nodes()
-        ends = [end for node in nodes for kind in (ServerEnd, ClientEnd) for end in _ends(node, kind)]
-        return _by_name(ends, {name: types for node in nodes for name, types in _describing(node).items()})
+        kinds = (ServerEndpoint, ClientEndpoint)
+        endpoints = [each for node in nodes for kind in kinds for each in _endpoints(node, kind)]
+        return _by_name(endpoints, {name: types for node in nodes for name, types in _describing(node).items()})
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
         """Return the services that a node offers, and their types. Raises NodeNameNonExistentError if unknown."""
         node = self._rosspin_find("service", node_name, node_namespace)
-        return _by_name(_ends(node, ServerEnd), _describing(node))
+        return _by_name(_endpoints(node, ServerEndpoint), _describing(node))
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
         """Return the services that a node asks, and their types. Raises NodeNameNonExistentError if unknown."""
-        return _by_name(_ends(self._rosspin_find("client", node_name, node_namespace), ClientEnd), {})
+        return _by_name(_endpoints(self._rosspin_find("client", node_name, node_namespace), ClientEndpoint), {})
 
     def count_services(self, service_name: str) -> int:
         """Count the known servers of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self._rosspin_count(service_name, "services", ServerEnd)
+        return self._rosspin_count(service_name, "services", ServerEndpoint)
 
     def count_clients(self, service_name: str) -> int:
         """Count the known clients of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self._rosspin_count(service_name, "clients", ClientEnd)
+        return self._rosspin_count(service_name, "clients", ClientEndpoint)
 
     # --- nodes --------------------------------------------------------------------------------------------------------
 

@@ -16,7 +16,7 @@ from .duration import Duration
 from .parameter import Parameter
 from .qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
 from .time import Time
-from .topics import PublisherEnd
+from .topics import PublisherEndpoint
 
 if TYPE_CHECKING:
     from .handle import RclNode
@@ -47,7 +47,7 @@ class OwnTopics:
         self._node = node
         self._types = types
         self._topics = [PARAMETER_EVENTS, ROSOUT] if on_rosout else [PARAMETER_EVENTS]
-        self._rosout: PublisherEnd | None = None
+        self._rosout: PublisherEndpoint | None = None
         # What was logged before someone listens: when (ns), level, logger, text, line, code.
         self._early: deque[tuple[int, int, str, str, int, CodeType]] = deque(maxlen=_QOS[ROSOUT].depth)
 
@@ -58,24 +58,24 @@ class OwnTopics:
 
     def make(self, topic: str) -> None:
         """Make the publisher of a topic, unless there is one. Others find it as if it had always been there."""
-        node, owner = self._node, self._node.node()
+        node, made_by = self._node, self._node.node()
         if topic not in self._topics or node not in node.context.nodes or not node.context.ok():
             return
-        if topic == PARAMETER_EVENTS and owner is None:
+        if topic == PARAMETER_EVENTS and made_by is None:
             return
         self._topics.remove(topic)
         with node.context.state.world.acting():
             kind = self._types.Log if topic == ROSOUT else self._types.ParameterEvent
-            end = PublisherEnd(node, kind, topic, _QOS[topic])
-            end.made = node.context.born.get(node, end.made)
+            endpoint = PublisherEndpoint(node, kind, topic, _QOS[topic])
+            endpoint.made = node.context.born.get(node, endpoint.made)
             if topic == ROSOUT:
-                end.begin()
+                endpoint.begin()
                 node.release()  # rcl ends it with the node, at the latest
-                end.kept.extend((self._line(*logged), logged[0]) for logged in self._early)
+                endpoint.kept.extend((self._line(*logged), logged[0]) for logged in self._early)
                 self._early.clear()
-                self._rosout = end
-            elif owner:
-                owner._rosspin_add_event_publisher(end)
+                self._rosout = endpoint
+            elif made_by:
+                made_by._rosspin_add_event_publisher(endpoint)
 
     def make_with(self, create: Callable[..., Any]) -> Any:
         """Let a method of the node's class make the publisher of /parameter_events."""

@@ -12,7 +12,7 @@ from .discovery import Participants
 from .exceptions import ParameterNotDeclaredException, ParameterUninitializedException
 from .parameter import Parameter
 from .qos import qos_profile_parameters
-from .services import Ends
+from .services import ServiceEndpoints
 
 if TYPE_CHECKING:
     from ..world.graph import Graph
@@ -95,7 +95,7 @@ def look(graph: Graph, service: str) -> None:
     """Let a node offer these services, also one that is still to come, if ``service`` is the full name of one."""
     of, _, word = service.rpartition("/")
     if word in SERVICES:
-        graph.part(Ends).asked.add(of)
+        graph.part(ServiceEndpoints).asked.add(of)
         for node in graph.part(Participants).all_nodes():
-            if node.full_name == of and (owner := node.node()):
-                owner._rosspin_start_services()
+            if node.full_name == of and (made_by := node.node()):
+                made_by._rosspin_start_services()

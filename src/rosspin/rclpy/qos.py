@@ -89,7 +89,7 @@ class ReliabilityPolicy(QoSPolicyEnum):
 
 
 class DurabilityPolicy(QoSPolicyEnum):
-    """Whether a late subscription is given the kept messages. For that, both ends have to be reliable."""
+    """Whether a late subscription is given the kept messages. For that, both endpoints have to be reliable."""
 
     SYSTEM_DEFAULT = 0
     TRANSIENT_LOCAL = 1
@@ -218,10 +218,10 @@ def length(duration: Duration, best: int = FOR_EVER) -> int:
 
 
 class Policies(NamedTuple):
-    """The policies of an end as they take effect: the middleware (Fast DDS) settles those that are left open.
+    """The policies of an endpoint as they take effect: the middleware (Fast DDS) settles those that are left open.
 
-    An end that asks for the best available looks at the others that exist when it is made. ``deadline`` and ``lease``
-    are in ns; ``manual`` is liveliness by topic.
+    An endpoint that asks for the best available looks at the others that exist when it is made. ``deadline`` and
+    ``lease`` are in ns; ``manual`` is liveliness by topic.
     """
 
     reliable: bool

@@ -1,4 +1,4 @@
-"""Parameters that override the QoS of a topic's end (source: rclpy/qos_overriding_options.py)."""
+"""Parameters that override the QoS of a topic's endpoint (source: rclpy/qos_overriding_options.py)."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from .clock import Clock
 from .enumerations import PlainCppEnum
 from .exceptions import not_accepted
 from .qos import QoSProfile
-from .topics import PublisherEnd
+from .topics import PublisherEndpoint
 
 if TYPE_CHECKING:
     from ..messages.ros2 import Message
@@ -29,11 +29,11 @@ class ServiceIntrospectionState(PlainCppEnum):
 class Events:
     """Publishes what a client or service does, on ``<service>/_service_event``."""
 
-    def __init__(self, end: Any, srv_type: type[Interface]) -> None:
-        self._end = end
+    def __init__(self, endpoint: Any, srv_type: type[Interface]) -> None:
+        self._endpoint = endpoint
         self._type: Any = srv_type
         self._state = ServiceIntrospectionState.OFF
-        self._publisher: PublisherEnd | None = None
+        self._publisher: PublisherEndpoint | None = None
         self._clock: Clock | None = None
 
     def configure(self, clock: Any, qos: Any, state: Any) -> None:
@@ -42,9 +42,9 @@ class Events:
             raise AttributeError(f"{type(clock).__name__!r} object has no attribute 'handle'")
         if not isinstance(qos, QoSProfile):
             raise AttributeError(f"{type(qos).__name__!r} object has no attribute 'get_c_qos_profile'")
-        end = self._end
+        endpoint = self._endpoint
         if not isinstance(state, ServiceIntrospectionState):
-            kind = "Client" if end.asks else "Service"
+            kind = "Client" if endpoint.asks else "Service"
             signature = (
                 f"(self: rclpy._rclpy_pybind11.{kind}, arg0: rclpy::Clock, arg1: object, "
                 "arg2: rclpy._rclpy_pybind11.service_introspection.ServiceIntrospectionState) -> None"
@@ -54,8 +54,8 @@ class Events:
         if state is ServiceIntrospectionState.OFF:
             self.stop()
         elif not self._publisher:
-            topic = f"{end.end.topic}/_service_event"
-            self._publisher = PublisherEnd(end.node, self._type.Event, topic, qos).begin()
+            topic = f"{endpoint.entry.topic}/_service_event"
+            self._publisher = PublisherEndpoint(endpoint.node, self._type.Event, topic, qos).begin()
 
     def stop(self) -> None:
         """Publish no more."""

@@ -1,7 +1,7 @@
 """Clients and services (sources: rclpy/client.py, rclpy/service.py, rmw_fastrtps).
 
-On a real ROS a middleware carries requests and answers, as messages of two topics. Here the ends put copies of them
-into each other's queues. Those in one process find each other immediately; :mod:`rosspin.rclpy.discovery` says how
+On a real ROS a middleware carries requests and answers, as messages of two topics. Here the endpoints put copies of
+them into each other's queues. Those in one process find each other immediately; :mod:`rosspin.rclpy.discovery` says how
 others do.
 """
 
@@ -14,6 +14,7 @@ from collections import deque
 from collections.abc import Callable
 from contextlib import nullcontext, suppress
 from functools import partial
+from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakKeyDictionary
 
@@ -22,7 +23,7 @@ from ..messages.ros2 import Message, received, transfer
 from ..messages.ros2 import Service as Interface
 from ..world.graph import CallMade
 from ..world.tester import NAME as TESTER
-from .ends import Entity, Owner
+from .endpoints import Endpoint, Entity
 from .exceptions import RCLError
 from .qos import Policies, QoSProfile, incompatible_policy
 from .service_introspection import Events, ServiceIntrospectionState
@@ -44,7 +45,7 @@ _TRY = 100_000_000
 _LOOK = 0.25
 
 
-class Ends:
+class ServiceEndpoints:
     """The clients and services of a run, by name. Its processes share them.
 
     ``asked`` are the full names of the nodes whose parameters someone has a client for, ``numbers`` the clients'.
@@ -56,25 +57,26 @@ class Ends:
         self._of: dict[str, list[Any]] = {}
         self._lock = threading.Lock()
 
-    def add(self, end: Any) -> list[Any]:
+    def add(self, endpoint: Any) -> list[Any]:
         """Add a client or service. Return what there is of the other kind already."""
-        # In one go: of two ends that are made at the same time, exactly one finds the other.
+        # In one go: of two endpoints that are made at the same time, exactly one finds the other.
         with self._lock:
-            ends = self._of.setdefault(end.end.topic, [])
-            found = [other for other in ends if other.asks is not end.asks and other.end.type == end.end.type]
-            ends.append(end)
-        return found
+            endpoints = self._of.setdefault(endpoint.entry.topic, [])
+            same_type = [other for other in endpoints if other.entry.type == endpoint.entry.type]
+            endpoints.append(endpoint)
+        return [other for other in same_type if other.asks is not endpoint.asks]
 
-    def offered(self) -> dict[str, ServerEnd]:
+    def offered(self) -> dict[str, ServerEndpoint]:
         """The services of the nodes, by their full names."""
         with self._lock:
-            ends = [end for ends in self._of.values() for end in ends if isinstance(end, ServerEnd)]
-        return {end.end.topic: end for end in ends}
+            endpoints = list(chain.from_iterable(self._of.values()))
+        return {each.entry.topic: each for each in endpoints if isinstance(each, ServerEndpoint)}
 
-    def remove(self, end: ServiceEnd) -> None:
-        """Take an end away; one that is not there is no error."""
+    def remove(self, endpoint: ServiceEndpoint) -> None:
+        """Take an endpoint away; one that is not there is no error."""
         with suppress(ValueError):
-            self._of[end.end.topic].remove(end)  # without the lock: the collector may call this while it is taken
+            # Without the lock: the collector may call this while it is taken.
+            self._of[endpoint.entry.topic].remove(endpoint)
 
 
 class Header(NamedTuple):
@@ -86,7 +88,7 @@ class Header(NamedTuple):
     is_known: bool = True
 
 
-class ServiceEnd(Owner):
+class ServiceEndpoint(Endpoint):
     """What is behind a client or a service."""
 
     asks: bool
@@ -100,8 +102,8 @@ class ServiceEnd(Owner):
         self._transports: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # from others, where a fault acts on them
 
     def join(self) -> None:
-        """Find the other ends of the service, and be found."""
-        for other in self.world.graph.part(Ends).add(self):
+        """Find the other endpoints of the service, and be found."""
+        for other in self.world.graph.part(ServiceEndpoints).add(self):
             if self.is_remote(other):
                 self.introduce(other)
             else:
@@ -115,15 +117,15 @@ class ServiceEnd(Owner):
 
     def withdraw(self) -> None:
         """See the base."""
-        self.world.graph.part(Ends).remove(self)
+        self.world.graph.part(ServiceEndpoints).remove(self)
 
     def meet(self, other: Any) -> None:
-        """Learn of another end."""
+        """Learn of another endpoint."""
         if not self.is_gone and not other.is_gone:
             self.peers.append(other)
 
-    def _reaches(self, other: ServiceEnd) -> bool:
-        """Whether what it sends arrives at another end."""
+    def _reaches(self, other: ServiceEndpoint) -> bool:
+        """Whether what it sends arrives at another endpoint."""
         return other in self.peers and incompatible_policy(self._offered, other._requested) is None
 
     def _put(self, message: Any) -> None:
@@ -131,15 +133,15 @@ class ServiceEnd(Owner):
         self.node.nudge()
 
     def _carry(self, other: Any, part: str, message: Message, arrive: Callable[[], object]) -> None:
-        """Let a request or a response of another end arrive: now, unless a fault of the run acts on it."""
+        """Let a request or a response of another endpoint arrive: now, unless a fault of the run acts on it."""
         faults = self.world.graph.faults
-        if faults is None or (isinstance(other, Owner) and not self.is_remote(other)):
+        if faults is None or (isinstance(other, Endpoint) and not self.is_remote(other)):
             arrive()
             return
         if other not in self._transports:
-            sender, here = other.node.full_name if isinstance(other, Owner) else TESTER, self.node.full_name
+            sender, here = other.node.full_name if isinstance(other, Endpoint) else TESTER, self.node.full_name
             reliable = self._requested.reliable
-            self._transports[other] = faults.transport(self.end.topic, sender, here, self.world, reliable, part)
+            self._transports[other] = faults.transport(self.entry.topic, sender, here, self.world, reliable, part)
         if transport := self._transports[other]:
             transport.send(lambda: message, arrive)
         else:
@@ -153,7 +155,7 @@ class ServiceEnd(Owner):
             return None
 
 
-class ClientEnd(ServiceEnd):
+class ClientEndpoint(ServiceEndpoint):
     """What is behind a client."""
 
     asks = True
@@ -161,14 +163,14 @@ class ClientEnd(ServiceEnd):
     def __init__(self, node: RclNode, srv_type: type[Interface], full_name: str, qos: QoSProfile) -> None:
         super().__init__(node, srv_type, full_name, qos)
         self.sent = 0  # how many requests
-        self.gid = next(self.world.graph.part(Ends).numbers).to_bytes(16, "big")
+        self.gid = next(self.world.graph.part(ServiceEndpoints).numbers).to_bytes(16, "big")
         self.join()
 
     def send_request(self, request: Message) -> int:
         """Ask, and return the number that the answer will have."""
         message = transfer(request, self.srv_type.Request)
         self.sent += 1
-        call = self.world.recording.add_call(self.end.topic, self.node.full_name, lambda: message)
+        call = self.world.recording.add_call(self.entry.topic, self.node.full_name, lambda: message)
         for service in list(self.peers):
             if self._reaches(service):
                 service.receive(message, Header(self, self.sent, call))
@@ -193,7 +195,7 @@ class ClientEnd(ServiceEnd):
             self._put((sequence, response and received(response, self.srv_type.Response)))
 
 
-class ServerEnd(ServiceEnd):
+class ServerEndpoint(ServiceEndpoint):
     """What is behind a service.
 
     It keeps the newest requests, as many as its QoS says, and hands out the oldest of these first.
@@ -225,7 +227,7 @@ class ServerEnd(ServiceEnd):
         for request, header in early:
             self._arrive(request, header)
 
-    def reaches_back(self, client: ClientEnd) -> bool:
+    def reaches_back(self, client: ClientEndpoint) -> bool:
         """Whether a client gets the answers, as far as it knows."""
         return incompatible_policy(self._offered, client._requested) is None
 
@@ -263,7 +265,7 @@ class _OfService(Entity):
     def service_name(self) -> str:
         """The service's full name."""
         self._rosspin.check()
-        return str(self._rosspin.end.topic)
+        return str(self._rosspin.entry.topic)
 
     def configure_introspection(
         self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
@@ -279,13 +281,13 @@ class _OfService(Entity):
 class Client(_OfService):
     """Asks a service. Made by ``Node.create_client``. An executor has to spin its node, which takes the answers."""
 
-    _rosspin: ClientEnd
+    _rosspin: ClientEndpoint
     _rosspin_held = "_thread.lock"
 
     def __init__(
         self,
         context: Context,
-        client_impl: ClientEnd,
+        client_impl: ClientEndpoint,
         srv_type: type[Interface],
         srv_name: str,
         qos_profile: QoSProfile,
@@ -361,25 +363,25 @@ class Client(_OfService):
         return message and (self._rosspin_settle, message, None)
 
     def _rosspin_settle(self, sequence: int, response: Message | None) -> None:
-        end = self._rosspin
+        endpoint = self._rosspin
         if response:
-            end.events.tell(3, end.gid, sequence, response=response)
+            endpoint.events.tell(3, endpoint.gid, sequence, response=response)
         with self._lock:
             future = self._pending_requests.get(sequence)
         if future:
-            future._set_executor(end.node.executor())
+            future._set_executor(endpoint.node.executor())
             future.set_result(response)
 
 
 class Service(_OfService):
     """Lets an executor call ``callback(request, response)``, which returns the answer. Made by ``create_service``."""
 
-    _rosspin: ServerEnd
+    _rosspin: ServerEndpoint
     _rosspin_held = "Service"
 
     def __init__(
         self,
-        service_impl: ServerEnd,
+        service_impl: ServerEndpoint,
         srv_type: type[Interface],
         srv_name: str,
         callback: Callable[[Any, Any], Any],

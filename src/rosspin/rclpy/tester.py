@@ -13,11 +13,11 @@ from ..messages.ros2 import Message, received, transfer
 from ..world import tester
 from ..world.world import World
 from .action import GoalIds
-from .ends import End, kind_of
+from .endpoints import GraphEntry, kind_of
 from .parameter_service import look
 from .qos import Policies, QoSProfile, qos_profile_services_default
-from .services import Ends, Header, ServerEnd
-from .topics import PublisherEnd, SubscriptionEnd
+from .services import Header, ServerEndpoint, ServiceEndpoints
+from .topics import PublisherEndpoint, SubscriptionEndpoint
 
 __all__ = ["Tester", "give_parameters"]
 
@@ -31,32 +31,32 @@ class Tester(tester.Tester):
         super().__init__(world, messages, fail)
         self._publications: list[_Counterpart] = []
 
-    def publication(self, subscription: End) -> End:
-        """The tester's end for a subscription."""
-        self._publications.append(_Counterpart(subscription.owner))
-        return self._publications[-1].end
+    def publication(self, subscription: GraphEntry) -> GraphEntry:
+        """The tester's endpoint for a subscription."""
+        self._publications.append(_Counterpart(subscription.endpoint))
+        return self._publications[-1].entry
 
-    def _listen(self, publication: End) -> End:
-        return _Counterpart(publication.owner).end
+    def _listen(self, publication: GraphEntry) -> GraphEntry:
+        return _Counterpart(publication.endpoint).entry
 
     def message(self, type_: str, fields: Mapping[str, Any]) -> Any:
         """Make a message of a type such as std_msgs/UInt32 or std_msgs/msg/UInt32: see the base."""
         return super().message(type_.replace("/msg/", "/"), fields)
 
     def _publish(self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any]) -> bool:
-        ends = [end for end in self._publications if end.end.topic == name and end.peers]
-        for end in ends:
-            end.send(self._message(end.msg_type, args, fields))
-        return bool(ends)
+        endpoints = [endpoint for endpoint in self._publications if endpoint.entry.topic == name and endpoint.peers]
+        for endpoint in endpoints:
+            endpoint.send(self._message(endpoint.msg_type, args, fields))
+        return bool(endpoints)
 
     def _offered(self, name: str) -> dict[str, str]:
         look(self._graph, name)
-        return {name: service.end.type for name, service in self._graph.part(Ends).offered().items()}
+        return {name: service.entry.type for name, service in self._graph.part(ServiceEndpoints).offered().items()}
 
     def _request(
         self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any], then: tester.Then | None
     ) -> Callable[[], None]:
-        service = self._graph.part(Ends).offered()[name]
+        service = self._graph.part(ServiceEndpoints).offered()[name]
         kind = service.srv_type.Request
         request = transfer(self._message(kind, args, fields), kind)
 
@@ -85,7 +85,7 @@ class Tester(tester.Tester):
 
     def _serve(self, name: str, srv_type: Any, handler: tester.Handler) -> None:
         service = _Service(self._world, name, srv_type, partial(self._response, srv_type.Response, handler))
-        for client in self._graph.part(Ends).add(service):
+        for client in self._graph.part(ServiceEndpoints).add(service):
             service.meet(client)
             client.meet(service)
 
@@ -126,28 +126,28 @@ def _fields_of(value: Any) -> Any:
 
 
 class _Counterpart:
-    """The tester's counterpart of a node's end of a topic, with the same quality of service."""
+    """The tester's counterpart of a node's endpoint of a topic, with the same quality of service."""
 
-    def __init__(self, other: PublisherEnd | SubscriptionEnd) -> None:
+    def __init__(self, other: PublisherEndpoint | SubscriptionEndpoint) -> None:
         self.world = other.world
         self.msg_type = other.msg_type
-        self.end = End(other.end.topic, other.end.type, self)
+        self.entry = GraphEntry(other.entry.topic, other.entry.type, self)
         self.policies = other.policies
         self.peers: list[Any] = []
         self.kept: tuple[tuple[Message, int], ...] = ()
 
-    def join(self, other: PublisherEnd | SubscriptionEnd) -> None:
-        """Be connected to the node's end."""
+    def join(self, other: PublisherEndpoint | SubscriptionEndpoint) -> None:
+        """Be connected to the node's endpoint."""
         self.peers.append(other)
 
-    def part(self, other: PublisherEnd | SubscriptionEnd) -> None:
-        """Learn that the node's end is gone."""
+    def part(self, other: PublisherEndpoint | SubscriptionEndpoint) -> None:
+        """Learn that the node's endpoint is gone."""
         self.peers.remove(other)
 
-    def receive(self, publisher: PublisherEnd, message: Message, sent: int) -> None:
+    def receive(self, publisher: PublisherEndpoint, message: Message, sent: int) -> None:
         """Do nothing: the run has recorded the message."""
 
-    def hear(self, publisher: PublisherEnd) -> None:
+    def hear(self, publisher: PublisherEndpoint) -> None:
         """Do nothing: no one asks."""
 
     def send(self, message: Message) -> None:
@@ -156,8 +156,8 @@ class _Counterpart:
             peer.receive(self, message, self.world.clock.system())
 
 
-class _ServiceEnd:
-    """The tester's end of a service. The nodes' ends know it immediately."""
+class _ServiceEndpoint:
+    """The tester's endpoint of a service. The nodes' endpoints know it immediately."""
 
     asks: bool
     is_gone = False
@@ -165,29 +165,29 @@ class _ServiceEnd:
 
     def __init__(self, world: World, name: str, kind: str, qos: QoSProfile) -> None:
         self.world = world
-        self.end = End(name, kind, self)
+        self.entry = GraphEntry(name, kind, self)
         self.peers: list[Any] = []
         self._offered, self._requested = Policies.offered(qos), Policies.requested(qos)
 
     def meet(self, other: Any) -> None:
-        """Learn of a node's end."""
+        """Learn of a node's endpoint."""
         self.peers.append(other)
 
     def part(self, other: Any) -> None:
-        """Learn that a node's end is gone."""
+        """Learn that a node's endpoint is gone."""
         self.peers.remove(other)
 
     def reaches_back(self, other: Any) -> bool:
         return True
 
 
-class _Client(_ServiceEnd):
+class _Client(_ServiceEndpoint):
     """Asks a service once."""
 
     asks = True
 
-    def __init__(self, world: World, service: ServerEnd, then: tester.Then | None) -> None:
-        super().__init__(world, service.end.topic, service.end.type, service.qos_profile)
+    def __init__(self, world: World, service: ServerEndpoint, then: tester.Then | None) -> None:
+        super().__init__(world, service.entry.topic, service.entry.type, service.qos_profile)
         self._service = service
         self._then = then
 
@@ -199,7 +199,7 @@ class _Client(_ServiceEnd):
                 self._then(response)
 
 
-class _Service(_ServiceEnd):
+class _Service(_ServiceEndpoint):
     """Sends what ``answer(request)`` returns, called in a thread of its own for each request; nothing if it is None."""
 
     asks = False

@@ -1,4 +1,4 @@
-"""What is known of an end of a topic (source: rclpy/topic_endpoint_info.py)."""
+"""What is known of an endpoint of a topic (source: rclpy/topic_endpoint_info.py)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ __all__ = ["TopicEndpointInfo", "TopicEndpointTypeEnum"]
 
 
 class TopicEndpointTypeEnum(IntEnum):
-    """Which end of a topic."""
+    """Which endpoint of a topic."""
 
     INVALID = 0
     PUBLISHER = 1
@@ -29,7 +29,7 @@ class TopicEndpointTypeEnum(IntEnum):
 
 
 class TopicEndpointInfo:
-    """Whose end it is, of which type, with which QoS.
+    """Whose endpoint it is, of which type, with which QoS.
 
     Raises AssertionError for other names, and for values of other types.
     """
@@ -98,7 +98,7 @@ class TopicEndpointInfo:
 
     @property
     def endpoint_type(self) -> TopicEndpointTypeEnum:
-        """Which end; it may be set as a number."""
+        """Which endpoint; it may be set as a number."""
         return self._endpoint_type
 
     @endpoint_type.setter
@@ -157,9 +157,9 @@ class TopicEndpointInfo:
         )
 
 
-def info_of(end: Any, node: Any, publishes: bool, mangled: bool = False) -> TopicEndpointInfo:
-    """Tell of an end of a topic; ``mangled``: its type as DDS names it. DDS does not tell of the history."""
-    qos, policies, type_ = end.qos_profile, end.policies, end.end.type
+def info_of(endpoint: Any, node: Any, publishes: bool, mangled: bool = False) -> TopicEndpointInfo:
+    """Tell of an endpoint of a topic; ``mangled``: its type as DDS names it. DDS does not tell of the history."""
+    qos, policies, type_ = endpoint.qos_profile, endpoint.policies, endpoint.entry.type
     if mangled:
         *home, name = type_.split("/")
         type_ = "::".join((*home, "dds_", f"{name}_"))
@@ -167,9 +167,9 @@ def info_of(end: Any, node: Any, publishes: bool, mangled: bool = False) -> Topi
         node_name=node.name,
         node_namespace=node.namespace,
         topic_type=type_,
-        topic_type_hash=hash_of(end.msg_type),
+        topic_type_hash=hash_of(endpoint.msg_type),
         endpoint_type=TopicEndpointTypeEnum.PUBLISHER if publishes else TopicEndpointTypeEnum.SUBSCRIPTION,
-        endpoint_gid=list(end.rosspin_gid),
+        endpoint_gid=list(endpoint.rosspin_gid),
         qos_profile=QoSProfile(
             history=QoSHistoryPolicy.UNKNOWN,
             depth=0,

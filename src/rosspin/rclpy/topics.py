@@ -1,7 +1,7 @@
 """Publishers and subscriptions (sources: rclpy/publisher.py, rclpy/subscription.py, rclpy/wait_for_message.py).
 
 On a real ROS a middleware carries the messages. Here a publisher puts copies of them into the subscriptions' queues.
-The ends in one process find each other immediately; :mod:`rosspin.rclpy.discovery` says how others do.
+The endpoints in one process find each other immediately; :mod:`rosspin.rclpy.discovery` says how others do.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from ..world.tester import NAME as TESTER
 from .callback_groups import ReentrantCallbackGroup
 from .deadlines import Countdown, Lasting
 from .discovery import KEPT
-from .ends import Entity, Owner
+from .endpoints import Endpoint, Entity
 from .event import Event
 from .event_handler import (
     EventHandler,
@@ -45,7 +45,7 @@ if TYPE_CHECKING:
 __all__ = ["Publisher", "Subscription", "wait_for_message"]
 
 
-class TopicEnd(Owner):
+class TopicEndpoint(Endpoint):
     """What a publisher and a subscription have in common."""
 
     def __init__(
@@ -59,7 +59,7 @@ class TopicEnd(Owner):
         super().__init__(node, msg_type, full_name, qos)
         self.msg_type = msg_type
         self.policies = policies
-        self.recorded = self.world.recording.add_end(full_name, isinstance(self, PublisherEnd), qos)
+        self.recorded = self.world.recording.add_endpoint(full_name, isinstance(self, PublisherEndpoint), qos)
 
     def _queue(self, most: int | None, qos: QoSProfile, sent: Callable[[Any], int]) -> deque[Any]:
         """Make a queue for so many messages, which drops those older than the lifespan."""
@@ -82,7 +82,7 @@ class TopicEnd(Owner):
             handler._rosspin_happen(policy, **changes)
 
     def refuse(self, policy: QoSPolicyKind) -> None:
-        """Let the node know, when it spins, by which policy another end does not match."""
+        """Let the node know, when it spins, by which policy another endpoint does not match."""
         self.recorded.refused += 1
         self.tell(self.INCOMPATIBLE, policy, total=1)
 
@@ -94,10 +94,10 @@ class TopicEnd(Owner):
 
     def withdraw(self) -> None:
         """See the base."""
-        self.world.graph.remove(self.end)
+        self.world.graph.remove(self.entry)
 
     def meet(self, other: Any, policy: QoSPolicyKind | None) -> None:
-        """Learn of an end in another process. ``policy`` is the one by which the two do not match, or None."""
+        """Learn of an endpoint in another process. ``policy`` is the one by which the two do not match, or None."""
         if self.is_gone or other.is_gone:
             return
         if policy:
@@ -106,7 +106,7 @@ class TopicEnd(Owner):
             self.join(other)
 
     def join(self, other: Any) -> None:
-        """Be connected to another end."""
+        """Be connected to another endpoint."""
         self.recorded.joined += 1
         self.peers.append(other)
         self.tell(self.MATCHED, total=1, current=1)
@@ -117,7 +117,7 @@ class TopicEnd(Owner):
             self.tell(self.MATCHED, current=-1)
 
 
-class PublisherEnd(TopicEnd):
+class PublisherEndpoint(TopicEndpoint):
     """What is behind a publisher, and what rcl publishes with. :meth:`begin` follows once it can be told events."""
 
     DEADLINE = QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED
@@ -128,11 +128,13 @@ class PublisherEnd(TopicEnd):
     def __init__(self, node: RclNode, msg_type: type[Message], full_name: str, qos: QoSProfile) -> None:
         super().__init__(node, msg_type, full_name, qos, Policies.offered(qos))
 
-    def begin(self) -> PublisherEnd:
+    def begin(self) -> PublisherEndpoint:
         """Find the subscriptions, and be found. Return itself."""
         qos = self.qos_profile
-        subscriptions = [end.owner for end in self.world.graph.advertise(self.end)]
-        self.policies = Policies.offered(qos, [each.policies for each in subscriptions if isinstance(each, TopicEnd)])
+        subscriptions = [entry.endpoint for entry in self.world.graph.advertise(self.entry)]
+        self.policies = Policies.offered(
+            qos, [each.policies for each in subscriptions if isinstance(each, TopicEndpoint)]
+        )
         most = qos._rosspin_kept if self.policies.transient_local else 0
         self.kept = self._queue(most, qos, itemgetter(1))  # the messages, and when (ns) each was sent
         lease = self.policies.lease if self.policies.manual else FOR_EVER
@@ -164,7 +166,7 @@ class PublisherEnd(TopicEnd):
         if recording.published is not None:
             with suppress(cdr.CDRError):
                 received = cdr.deserialize(message, self.msg_type) if isinstance(message, bytes) else message
-                recording.add_message(self.end.topic, self.node.full_name, lambda: received)
+                recording.add_message(self.entry.topic, self.node.full_name, lambda: received)
         for subscription in list(self.peers):
             subscription.receive(self, message, sent)
 
@@ -185,7 +187,7 @@ class PublisherEnd(TopicEnd):
     def wait_for_all_acked(self, timeout: Any) -> bool:
         """Wait until what was published has arrived, and return whether it has."""
         clock = self.world.clock
-        last = max((peer.expects(self) for peer in self.peers if isinstance(peer, SubscriptionEnd)), default=0)
+        last = max((peer.expects(self) for peer in self.peers if isinstance(peer, SubscriptionEndpoint)), default=0)
         left = max(last - clock.now(), 0)
         most = left if timeout is None or timeout.nanoseconds < 0 else min(left, timeout.nanoseconds)
         if most:
@@ -193,7 +195,7 @@ class PublisherEnd(TopicEnd):
         return most == left
 
 
-class SubscriptionEnd(TopicEnd):
+class SubscriptionEndpoint(TopicEndpoint):
     """What is behind a subscription. :meth:`begin` follows once it can be told events.
 
     It keeps the newest messages, as many as its QoS says, and hands out the oldest of these first.
@@ -213,13 +215,15 @@ class SubscriptionEnd(TopicEnd):
         self.nudge: Callable[[], None] = node.nudge  # tells the executor that waits
         self._received = 0
         self._transports: dict[Any, Transport] = {}  # by the publishers whose messages a fault of the run befalls
-        self._early: dict[PublisherEnd, list[tuple[Message, int]] | None] = {}
+        self._early: dict[PublisherEndpoint, list[tuple[Message, int]] | None] = {}
 
-    def begin(self) -> SubscriptionEnd:
+    def begin(self) -> SubscriptionEndpoint:
         """Find the publishers, and be found. Return itself."""
         qos = self.qos_profile
-        publishers = [end.owner for end in self.world.graph.subscribe(self.end)]
-        self.policies = Policies.requested(qos, [each.policies for each in publishers if isinstance(each, TopicEnd)])
+        publishers = [entry.endpoint for entry in self.world.graph.subscribe(self.entry)]
+        self.policies = Policies.requested(
+            qos, [each.policies for each in publishers if isinstance(each, TopicEndpoint)]
+        )
         self._deadline = self._countdown(self.DEADLINE, self.policies.deadline, again=True)
         self._leases: dict[Any, Countdown] = {}  # of the publishers that have been alive
         self._hears = self.policies.lease < FOR_EVER and self._handler(self.LIVELINESS) is not None
@@ -230,19 +234,19 @@ class SubscriptionEnd(TopicEnd):
                 _connect(publisher, self, publisher, self)
         return self
 
-    def receive(self, publisher: PublisherEnd, message: Message, sent: int) -> None:
+    def receive(self, publisher: PublisherEndpoint, message: Message, sent: int) -> None:
         """Take a message that a publisher sends now (ns)."""
         if publisher not in self._early:
             self.deliver(publisher, message, sent)
         elif self.policies.reliable and (early := self._early[publisher]) is not None:
             early.append((message, sent))
 
-    def expects(self, publisher: PublisherEnd) -> int:
+    def expects(self, publisher: PublisherEndpoint) -> int:
         """Return when (ns) the last message of a publisher arrives that is under way and needs to be acknowledged."""
         transport = self._transports.get(publisher) if self.policies.reliable else None
         return transport.last if transport else 0
 
-    def expect(self, publisher: PublisherEnd) -> None:
+    def expect(self, publisher: PublisherEndpoint) -> None:
         """Expect a publisher of another process: until it is known here, reliable messages from it wait."""
         self._early[publisher] = []
 
@@ -256,7 +260,7 @@ class SubscriptionEnd(TopicEnd):
             for message, sent in self._early.pop(other) or ():
                 self.deliver(other, message, sent)
 
-    def _take_kept(self, publisher: PublisherEnd) -> None:
+    def _take_kept(self, publisher: PublisherEndpoint) -> None:
         del self._early[publisher]
         for message, sent in publisher.kept:
             self.deliver(publisher, message, sent)
@@ -290,17 +294,17 @@ class SubscriptionEnd(TopicEnd):
         """See the base. A publisher of another process is alive immediately, unless by hand."""
         super().join(other)
         faults = self.world.graph.faults
-        if faults and (self.is_remote(other) or not isinstance(other, Owner)):
-            sender = other.node.full_name if isinstance(other, Owner) else TESTER
+        if faults and (self.is_remote(other) or not isinstance(other, Endpoint)):
+            sender = other.node.full_name if isinstance(other, Endpoint) else TESTER
             receiver, reliable = self.node.full_name, self.policies.reliable
-            if transport := faults.transport(self.end.topic, sender, receiver, self.world, reliable):
+            if transport := faults.transport(self.entry.topic, sender, receiver, self.world, reliable):
                 self._transports[other] = transport
                 self.receive = self._receive_by_wire  # type: ignore[method-assign]
         if self._lease_of(other) == FOR_EVER:
             self.hear(other)
 
     def _receive_by_wire(self, publisher: Any, message: Message, sent: int) -> None:
-        receive = partial(SubscriptionEnd.receive, self, publisher, message, sent)
+        receive = partial(SubscriptionEndpoint.receive, self, publisher, message, sent)
         transport = self._transports.get(publisher)
         if transport is None or publisher in self._early:  # what is kept for it comes in its own way
             receive()
@@ -353,22 +357,24 @@ class SubscriptionEnd(TopicEnd):
             return None
 
 
-def _discover(publisher: PublisherEnd, subscription: SubscriptionEnd) -> None:
-    """Let two ends in different processes find each other."""
-    if publisher.end.type == subscription.end.type:
+def _discover(publisher: PublisherEndpoint, subscription: SubscriptionEndpoint) -> None:
+    """Let two endpoints in different processes find each other."""
+    if publisher.entry.type == subscription.entry.type:
         policy = incompatible_policy(publisher.policies, subscription.policies)
         subscription.expect(publisher)
         publisher.introduce(subscription, policy)
 
 
-def _connect(publisher: PublisherEnd, subscription: SubscriptionEnd, *by_age: PublisherEnd | SubscriptionEnd) -> None:
-    if publisher.end.type != subscription.end.type:
+def _connect(
+    publisher: PublisherEndpoint, subscription: SubscriptionEndpoint, *by_age: PublisherEndpoint | SubscriptionEndpoint
+) -> None:
+    if publisher.entry.type != subscription.entry.type:
         return
     policy = incompatible_policy(publisher.policies, subscription.policies)
     if policy:
-        for owner in by_age:
-            if owner.node.context.ok():
-                owner.refuse(policy)
+        for endpoint in by_age:
+            if endpoint.node.context.ok():
+                endpoint.refuse(policy)
         return
     publisher.join(subscription)
     subscription.join(publisher)
@@ -390,7 +396,7 @@ class _OnTopic(Entity):
     def topic_name(self) -> str:
         """The topic's full name."""
         self._rosspin.check()
-        return str(self._rosspin.end.topic)
+        return str(self._rosspin.entry.topic)
 
     def destroy(self) -> None:
         """Leave the topic. A second call does nothing."""
@@ -402,12 +408,12 @@ class _OnTopic(Entity):
 class Publisher(_OnTopic):
     """Publishes messages on a topic. Made by ``Node.create_publisher``."""
 
-    _rosspin: PublisherEnd
+    _rosspin: PublisherEndpoint
     _rosspin_held = "Publisher"
 
     def __init__(
         self,
-        publisher_impl: PublisherEnd,
+        publisher_impl: PublisherEndpoint,
         msg_type: type[Message],
         topic: str,
         qos_profile: QoSProfile,
@@ -428,12 +434,12 @@ class Publisher(_OnTopic):
         Raises TypeError for one of another class, AssertionError for one with wrong values, InvalidHandle if the
         publisher was destroyed, RCLError after shutdown.
         """
-        end = self._rosspin
-        if end.is_destroyed:
-            end.check()
+        endpoint = self._rosspin
+        if endpoint.is_destroyed:
+            endpoint.check()
         if not isinstance(msg, self.msg_type) and not isinstance(msg, bytes):
             raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
-        end.publish(msg)
+        endpoint.publish(msg)
 
     def get_subscription_count(self) -> int:
         """How many subscriptions it sends to. Raises InvalidHandle if destroyed, RCLError after shutdown."""
@@ -465,11 +471,11 @@ class Subscription(_OnTopic):
         MessageOnly = 0
         WithMessageInfo = 1
 
-    _rosspin: SubscriptionEnd
+    _rosspin: SubscriptionEndpoint
 
     def __init__(
         self,
-        subscription_impl: SubscriptionEnd,
+        subscription_impl: SubscriptionEndpoint,
         msg_type: type[Message],
         topic: str,
         callback: Callable[..., Any],
@@ -543,18 +549,18 @@ def wait_for_message(
         raise invalid_context("initialize wait set")
     own, event = node.context._rosspin.state, Event()
     subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile, callback_group=_OutOfReach())
-    end = subscription._rosspin
-    end.nudge = event.set
+    endpoint = subscription._rosspin
+    endpoint.nudge = event.set
     own.waiting[event] = None
     own.world.waiting = -1
     until = None if time_to_wait < 0 else time.monotonic_ns() + int(float(time_to_wait) * 1e9)
     try:
-        while not end.messages and node.context.ok():
+        while not endpoint.messages and node.context.ok():
             left = None if until is None else until - time.monotonic_ns()
             if left is not None and left <= 0:
                 break
             event.wait(left)
-        return (True, end.messages.popleft()[0]) if end.messages else (False, None)
+        return (True, endpoint.messages.popleft()[0]) if endpoint.messages else (False, None)
     finally:
         del own.waiting[event]
         node.destroy_subscription(subscription)

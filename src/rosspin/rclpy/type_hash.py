@@ -8,7 +8,7 @@ import re
 from importlib import import_module
 from typing import Any
 
-from .ends import kind_of
+from .endpoints import kind_of
 
 __all__ = ["TypeHash"]
 

@@ -79,11 +79,14 @@ def _nodes(node: State) -> list[State]:
 def _published(node: State) -> list[tuple[str, str, str]]:
     """The topics with a publisher, as get_published_topics has them, their types and nodes."""
     logs = [(*client.LOG, each.name) for each in _nodes(node) if each.rosout]
-    return [*logs, *((end.topic, end.type, end.node.name) for end in node.world.graph.ends()[0])]
+    return [
+        *logs,
+        *((each.topic, each.type, each.node.name) for each in node.world.graph.endpoints()[0]),
+    ]
 
 
 def _subscribed(node: State) -> list[tuple[str, str, str]]:
-    return [(end.topic, end.type, end.node.name) for end in node.world.graph.ends()[1]]
+    return [(each.topic, each.type, each.node.name) for each in node.world.graph.endpoints()[1]]
 
 
 def _services(node: State) -> dict[str, State]:

@@ -32,7 +32,7 @@ class Tester(tester.Tester):
         self._publications: dict[tuple[str, type[Message]], _Publication] = {}
 
     def publication(self, subscription: Any) -> Publication:
-        """Return the tester's end for a subscription."""
+        """Return the tester's endpoint for a subscription."""
         kind = subscription.data_class
         if issubclass(kind, AnyMsg) and kind is not AnyMsg:  # a C++ node reads it
             kind = self._messages[kind._type]
@@ -46,19 +46,19 @@ class Tester(tester.Tester):
 
     def _publish(self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any]) -> bool:
         """Publish as ``Publisher.publish`` does, but with errors that break no connection."""
-        ends = [end for end in self._publications.values() if end.topic == name and end.connections]
-        if not ends:
+        endpoints = [each for each in self._publications.values() if each.topic == name and each.connections]
+        if not endpoints:
             return False
-        data_class = next((end.data_class for end in ends if end.data_class is not AnyMsg), None)
+        data_class = next((endpoint.data_class for endpoint in endpoints if endpoint.data_class is not AnyMsg), None)
         if data_class:
             message = args_kwds_to_message(data_class, args, self._filled(data_class, fields))
         elif len(args) == 1 and hasattr(args[0], "_md5sum") and not fields:
             (message,) = args
         else:
             raise TypeError(f"{name} is subscribed to with rospy.AnyMsg, so publish a whole message there")
-        for end in ends:
-            if end.data_class is AnyMsg or end.data_class._md5sum == message._md5sum:
-                end.send(message)
+        for endpoint in endpoints:
+            if endpoint.data_class is AnyMsg or endpoint.data_class._md5sum == message._md5sum:
+                endpoint.send(message)
         return True
 
     def _offered(self, name: str) -> dict[str, str]:

@@ -41,7 +41,7 @@ Callbacks = list[tuple[Callable[..., Any], Any]]
 
 
 class Publication:
-    """A topic as one node publishes it. All its Publishers share this end."""
+    """A topic as one node publishes it. All its Publishers share this endpoint."""
 
     delay = LATER_SUBSCRIBER  # before a later subscriber is connected
 
@@ -58,10 +58,10 @@ class Publication:
         self._latched: Message | None = None
         self._sequence = 0
         self._lock = threading.RLock()  # a signal handler may publish while its thread does
-        self.recorded = node.world.recording.add_end(topic, True)
+        self.recorded = node.world.recording.add_endpoint(topic, True)
 
     def register(self) -> None:
-        """Tell the other nodes of this end, unless the master does not take its name."""
+        """Tell the other nodes of this endpoint, unless the master does not take its name."""
         if not may_register("publication", "topic", self.topic):
             return
         for subscription in self.node.world.graph.advertise(self):
@@ -163,7 +163,7 @@ class Publication:
 
 
 class Subscription:
-    """A topic as one node subscribes to it. All its Subscribers share this end."""
+    """A topic as one node subscribes to it. All its Subscribers share this endpoint."""
 
     def __init__(self, node: State, topic: str, data_class: type[Message]) -> None:
         self.node = node
@@ -176,12 +176,12 @@ class Subscription:
         self.queue_size: int | None = None
         self.closed = False
         self.lock = threading.RLock()
-        self.recorded = node.world.recording.add_end(topic, False)
+        self.recorded = node.world.recording.add_endpoint(topic, False)
         faults = node.world.graph.faults
         self._slow = faults.call if faults and faults.slows else None
 
     def register(self) -> None:
-        """Tell the other nodes of this end, and connect to those that publish, unless the master refuses its name."""
+        """Tell the other nodes of it, and connect to those that publish, unless the master refuses its name."""
         if not may_register("subscription", "topic", self.topic):
             return
         for publication in self.node.world.graph.subscribe(self):
@@ -190,8 +190,8 @@ class Subscription:
     def connect(self, publication: Publication, delay: int) -> None:
         """Connect to a publisher after ``delay`` ns."""
         if delay and self.node.clock.explores:  # a test is connected immediately
-            ends = f"{publication.node.name} to {self.node.name}: {self.topic}"
-            delay += LATE * self.node.clock.choose([f"{ends} connects", f"{ends} connects late"])
+            pair = f"{publication.node.name} to {self.node.name}: {self.topic}"
+            delay += LATE * self.node.clock.choose([f"{pair} connects", f"{pair} connects late"])
         self.node.world.start(Connection(publication, self, delay))
 
     def set_queue_size(self, queue_size: int | None) -> None:
@@ -416,54 +416,54 @@ class Topics:
         self.node = world.part(State)
         self.publications: dict[str, Publication] = {}
         self.subscriptions: dict[str, Subscription] = {}
-        self._unknown: list[Publication | Subscription] = []  # ends that the other nodes do not know yet
+        self._unknown: list[Publication | Subscription] = []  # endpoints that the other nodes do not know yet
         self._lock = threading.RLock()
         self.node.at_init.append(self.register)
         self.node.before_shutdown.append(self._let_arrive)
         self.node.at_shutdown.append(self._close_all)
         world.at_end.append(self._close_all)
 
-    def acquire(self, kind: type[Impl], ends: dict[str, Impl], topic: str, data_class: type[Message]) -> Impl:
-        """Return the node's end of a topic for one more handle, which registers the end once it is complete."""
+    def acquire(self, kind: type[Impl], endpoints: dict[str, Impl], topic: str, data_class: type[Message]) -> Impl:
+        """Return the node's endpoint of a topic for one more handle, which registers the end once it is complete."""
         with self._lock:
-            end = ends.get(topic)
-            if end is None:
-                end = ends[topic] = kind(self.node, topic, data_class)
-                self._unknown.append(end)
-            end.handles += 1
-            return end
+            endpoint = endpoints.get(topic)
+            if endpoint is None:
+                endpoint = endpoints[topic] = kind(self.node, topic, data_class)
+                self._unknown.append(endpoint)
+            endpoint.handles += 1
+            return endpoint
 
-    def release(self, ends: dict[str, Impl], end: Impl) -> None:
-        """Give up a handle. The last one closes the end."""
+    def release(self, endpoints: dict[str, Impl], endpoint: Impl) -> None:
+        """Give up a handle. The last one closes the endpoint."""
         with self._lock:
             if self.node.shutdown:
                 return
-            end.handles -= 1
-            if end.handles == 0:
-                del ends[end.topic]
-                end.close()
+            endpoint.handles -= 1
+            if endpoint.handles == 0:
+                del endpoints[endpoint.topic]
+                endpoint.close()
 
     def register(self) -> None:
-        """Tell the other nodes of new ends, once this one is initialised."""
+        """Tell the other nodes of new endpoints, once this one is initialised."""
         with self._lock:
             while self._unknown and self.node.initialized:
-                end = self._unknown.pop(0)
-                if not end.closed:
-                    end.register()
+                endpoint = self._unknown.pop(0)
+                if not endpoint.closed:
+                    endpoint.register()
 
     def _let_arrive(self) -> None:
         """Wait until what shutdown hooks have published has arrived in this node, too."""
         for pause in (0, *_ARRIVAL):  # in simulated time they arrive in no time
-            ends = list(self.subscriptions.values())
-            if not any(connection.is_due for end in ends for connection in end.connections):
+            endpoints = list(self.subscriptions.values())
+            if not any(connection.is_due for endpoint in endpoints for connection in endpoint.connections):
                 return
             self.node.clock.sleep(pause)
 
     def _close_all(self) -> None:
         with self._lock:
-            ends: list[Publication | Subscription] = [*self.publications.values(), *self.subscriptions.values()]
-            for end in ends:
-                end.close()
+            endpoints: list[Publication | Subscription] = [*self.publications.values(), *self.subscriptions.values()]
+            for endpoint in endpoints:
+                endpoint.close()
 
 
 class Topic:
@@ -515,7 +515,7 @@ class Publisher(Topic):
     """
 
     impl: Publication | None
-    _rosspin_end = Publication  # the class of the node's end
+    _rosspin_endpoint = Publication  # the class of the node's endpoint
 
     def __init__(
         self,
@@ -529,7 +529,9 @@ class Publisher(Topic):
     ) -> None:
         super().__init__(name, data_class, "pub")
         assert self.resolved_name
-        self.impl = self._topics.acquire(self._rosspin_end, self._topics.publications, self.resolved_name, data_class)
+        self.impl = self._topics.acquire(
+            self._rosspin_endpoint, self._topics.publications, self.resolved_name, data_class
+        )
         if subscriber_listener:
             self.impl.listeners.append(subscriber_listener)
         if latch:
@@ -578,7 +580,7 @@ class Subscriber(Topic):
     """
 
     impl: Subscription | None
-    _rosspin_end = Subscription  # the class of the node's end
+    _rosspin_endpoint = Subscription  # the class of the node's endpoint
 
     def __init__(
         self,
@@ -592,7 +594,9 @@ class Subscriber(Topic):
     ) -> None:
         super().__init__(name, data_class, "sub")
         assert self.resolved_name
-        self.impl = self._topics.acquire(self._rosspin_end, self._topics.subscriptions, self.resolved_name, data_class)
+        self.impl = self._topics.acquire(
+            self._rosspin_endpoint, self._topics.subscriptions, self.resolved_name, data_class
+        )
         if queue_size is not None:
             self.impl.set_queue_size(queue_size)
         self.callback = callback

@@ -163,7 +163,7 @@ class Scenes(StepsSeen):
         if isinstance(_owner(entity), Rate):
             return "the Rate's timer"
         if isinstance(entity, Client):
-            return f"the answer of {entity._rosspin.end.topic}"
+            return f"the answer of {entity._rosspin.entry.topic}"
         callback = _callback(entity)
         return str(getattr(callback, "__name__", type(callback).__name__))
 

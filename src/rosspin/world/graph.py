@@ -23,13 +23,13 @@ from .watcher import Watcher
 __all__ = [
     "CallMade",
     "Counterpart",
-    "End",
-    "EndMade",
+    "Endpoint",
     "Faults",
     "Graph",
     "Published",
-    "Records",
+    "RecordedEndpoint",
     "Recording",
+    "Records",
     "TickLog",
     "Transport",
     "unpacked",
@@ -38,8 +38,8 @@ __all__ = [
 Part = TypeVar("Part")
 
 
-class End(Protocol):
-    """A node's end of a topic: a publication or a subscription."""
+class Endpoint(Protocol):
+    """A node's endpoint of a topic: a publication or a subscription."""
 
     @property
     def topic(self) -> str:
@@ -51,17 +51,17 @@ class End(Protocol):
 
 
 class Counterpart(Protocol):
-    """Has an end of its own for each end that the nodes have: the node that a test plays."""
+    """Has an endpoint of its own for each one that the nodes have: the node that a test plays."""
 
     def publication(self, subscription: Any) -> Any:
-        """Return its end for a subscription."""
+        """Return its endpoint for a subscription."""
 
     def subscription(self, publication: Any) -> Any:
-        """Return its end for a publication."""
+        """Return its endpoint for a publication."""
 
 
 class Transport(Protocol):
-    """Carries the messages from one end of a topic to another, on which a fault of the run acts.
+    """Carries the messages from one endpoint of a topic to another, on which a fault of the run acts.
 
     ``last`` is when (ns) the last of those that were sent arrives.
     """
@@ -98,7 +98,7 @@ class Faults(Protocol):
         """
 
 
-E = TypeVar("E", bound=End)
+E = TypeVar("E", bound=Endpoint)
 
 # A message as it is recorded: topic, node, time (ns), and a function that makes the message when someone asks for it.
 Published = tuple[str, str, int, Callable[[], Any]]
@@ -242,18 +242,18 @@ def unpacked(records: Records) -> tuple[list[Any], ...]:
     return sources, halves[1::8].tolist(), wholes[1::4].tolist(), wholes[2::4].tolist(), durations
 
 
-class _Ends(Generic[E]):
+class _Endpoints(Generic[E]):
     """Publications, or subscriptions, by topic; in the order in which they were made."""
 
     def __init__(self) -> None:
         self._of: dict[str, list[E]] = {}
 
-    def add(self, end: E) -> None:
-        self._of.setdefault(end.topic, []).append(end)
+    def add(self, endpoint: E) -> None:
+        self._of.setdefault(endpoint.topic, []).append(endpoint)
 
-    def remove(self, end: E) -> None:
+    def remove(self, endpoint: E) -> None:
         with suppress(ValueError):
-            self._of.get(end.topic, []).remove(end)
+            self._of.get(endpoint.topic, []).remove(endpoint)
 
     def of(self, topic: str) -> list[E]:
         return list(self._of.get(topic, ()))
@@ -262,7 +262,7 @@ class _Ends(Generic[E]):
         return list(chain.from_iterable(self._of.values()))
 
     def types(self) -> list[tuple[str, str]]:
-        return [(topic, ends[0].type) for topic, ends in self._of.items() if ends]
+        return [(topic, endpoints[0].type) for topic, endpoints in self._of.items() if endpoints]
 
     def names(self) -> list[str]:
         return list(self._of)
@@ -289,10 +289,10 @@ class CallMade:
         return Call(service, client, asked_at, request(), server, (answered - start) / NS, response())
 
 
-class EndMade:
-    """An end of a topic as it is recorded: made at ``made`` (s), with a ``qos`` in ROS 2.
+class RecordedEndpoint:
+    """An endpoint of a topic as it is recorded: made at ``made`` (s), with a ``qos`` in ROS 2.
 
-    ``joined`` is with how many other ends it was connected, ``refused`` how many did not match it.
+    ``joined`` is with how many other endpoints it was connected, ``refused`` how many did not match it.
     """
 
     def __init__(self, topic: str, publishes: bool, made: float, qos: Any) -> None:
@@ -331,7 +331,7 @@ class Recording:
         self.watcher = None if log is None else log.watcher
         self.published: list[Published] | None = None if log is None else []
         self.start = start
-        self.ends: list[EndMade] = []  # of topics, in the order in which they were made
+        self.endpoints: list[RecordedEndpoint] = []  # of topics, in the order in which they were made
         self._clock = clock
         self._calls: list[CallMade] = []
         self._fault_events: list[tuple[int, str, str, int, Published | None]] = []
@@ -341,12 +341,12 @@ class Recording:
         if self.published is not None:
             self.published.append((topic, node, self._clock.now(), make))
 
-    def add_end(self, topic: str, publishes: bool, qos: Any = None) -> EndMade:
-        """Record that an end of a topic is made, now. Return it: whom it meets is noted there."""
-        end = EndMade(topic, publishes, (self._clock.now() - self.start) / NS, qos)
+    def add_endpoint(self, topic: str, publishes: bool, qos: Any = None) -> RecordedEndpoint:
+        """Record that an endpoint of a topic is made, now. Return it: whom it meets is noted there."""
+        endpoint = RecordedEndpoint(topic, publishes, (self._clock.now() - self.start) / NS, qos)
         if self.log is not None:
-            self.ends.append(end)
-        return end
+            self.endpoints.append(endpoint)
+        return endpoint
 
     def coming(self) -> tuple[Tick, ...]:
         """Return the calls of timers and the passes of loops that would have come next."""
@@ -435,8 +435,8 @@ class Graph:
         self.faults: Faults | None = None
         self._parts: dict[type, Any] = {}
         self._lock = threading.Lock()
-        self._publications: _Ends[Any] = _Ends()
-        self._subscriptions: _Ends[Any] = _Ends()
+        self._publications: _Endpoints[Any] = _Endpoints()
+        self._subscriptions: _Endpoints[Any] = _Endpoints()
 
     def part(self, kind: type[Part]) -> Part:
         """Return what one ROS keeps for all its nodes of this run: ``kind()``, made when it is first asked for."""
@@ -444,34 +444,34 @@ class Graph:
             self._parts[kind] = kind()
         return self._parts[kind]  # type: ignore[no-any-return]
 
-    def advertise(self, publication: End) -> list[Any]:
+    def advertise(self, publication: Endpoint) -> list[Any]:
         """Add a publication. Returns the subscriptions that are there already."""
         found = self._add(publication, self._publications, self._subscriptions)
         return [*found, self.tester.subscription(publication)] if self.tester else found
 
-    def subscribe(self, subscription: End) -> list[Any]:
+    def subscribe(self, subscription: Endpoint) -> list[Any]:
         """Add a subscription. Returns the publications that are there already."""
         found = self._add(subscription, self._subscriptions, self._publications)
         return [*found, self.tester.publication(subscription)] if self.tester else found
 
-    def _add(self, end: End, same: _Ends[Any], other: _Ends[Any]) -> list[Any]:
-        # In one go: of two ends that are made at the same time, exactly one finds the other.
+    def _add(self, endpoint: Endpoint, same: _Endpoints[Any], other: _Endpoints[Any]) -> list[Any]:
+        # In one go: of two endpoints that are made at the same time, exactly one finds the other.
         with self._lock:
-            same.add(end)
-            return other.of(end.topic)
+            same.add(endpoint)
+            return other.of(endpoint.topic)
 
-    def remove(self, end: End) -> None:
-        """Take an end away; one that is not there is no error."""
+    def remove(self, endpoint: Endpoint) -> None:
+        """Take an endpoint away; one that is not there is no error."""
         # Without the lock: the collector may call this while it is taken. Each removal is in one go.
-        self._publications.remove(end)
-        self._subscriptions.remove(end)
+        self._publications.remove(endpoint)
+        self._subscriptions.remove(endpoint)
 
     def topics(self) -> list[tuple[str, str]]:
         """Return the topics that someone publishes, and their types."""
         with self._lock:
             return self._publications.types()
 
-    def ends(self) -> tuple[list[Any], list[Any]]:
+    def endpoints(self) -> tuple[list[Any], list[Any]]:
         """Return all publications and all subscriptions, topic by topic."""
         with self._lock:
             return self._publications.all(), self._subscriptions.all()

@@ -1,6 +1,7 @@
 """The node that a test plays. It is connected to every topic of the other nodes as soon as they have it.
 
-Every ROS has in common how topics and messages are named and filled in. Each has its own ends of topics and services.
+Every ROS has in common how topics and messages are named and filled in. Each has its own endpoints of topics and
+services.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ Then = Callable[[Any], None]
 
 
 class Tester(ABC):
-    """A node that a test plays: it has an end of its own for each end that the others have.
+    """A node that a test plays: it has an endpoint of its own for each one that the others have.
 
     ``messages`` has the classes by name, as in ``messages["std_msgs/UInt32"]``; ``fail`` ends the run."""
 
@@ -41,10 +42,10 @@ class Tester(ABC):
 
     @abstractmethod
     def publication(self, subscription: Any) -> Any:
-        """Return its end for a subscription."""
+        """Return its endpoint for a subscription."""
 
     def subscription(self, publication: Any) -> Any:
-        """Return its end for a publication."""
+        """Return its endpoint for a publication."""
         self._published[publication.topic] = publication.type
         return self._listen(publication)
 

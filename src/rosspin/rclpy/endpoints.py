@@ -1,7 +1,7 @@
-"""What the ends of topics and of services have in common: each is a node's, and knows the ends it is joined to.
+"""What the endpoints of topics and services have in common: each is a node's, and knows those it is joined to.
 
-An end is what rcl and the middleware keep of a publisher, a subscription, a client or a service. The object that a node
-has holds it by :class:`Entity`, and the graph knows the end alone.
+An endpoint is what rcl and the middleware keep of a publisher, a subscription, a client or a service. The object that a
+node has holds it by :class:`Entity`, and the graph knows its entry alone.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ if TYPE_CHECKING:
     from ..world.world import World
     from .handle import RclNode
 
-__all__ = ["End", "Entity", "Owner", "kind_of"]
+__all__ = ["Endpoint", "Entity", "GraphEntry", "kind_of"]
 
 
-class End(NamedTuple):
-    """An end of a topic, or of a service, as the graph has it."""
+class GraphEntry(NamedTuple):
+    """An endpoint of a topic, or of a service, as the graph has it."""
 
     topic: str  # its full name
     type: str  # as in std_msgs/msg/String
-    owner: Any
+    endpoint: Any
 
 
 def kind_of(data_class: type) -> str:
@@ -40,7 +40,7 @@ def kind_of(data_class: type) -> str:
 
 
 class _Numbers:
-    """How many ends of a run have a number. Its processes share them."""
+    """How many endpoints of a run have a number. Its processes share them."""
 
     def __init__(self) -> None:
         self.numbers = itertools.count(1)
@@ -50,18 +50,18 @@ def _nobody() -> None:
     return None
 
 
-class Owner:
-    """Base of the ends. ``data_class`` is the class of what it carries."""
+class Endpoint:
+    """Base of the endpoints. ``data_class`` is the class of what it carries."""
 
     def __init__(self, node: RclNode, data_class: type, full_name: str, qos: QoSProfile) -> None:
         self.node = node
-        self.end = End(full_name, kind_of(data_class), self)
+        self.entry = GraphEntry(full_name, kind_of(data_class), self)
         self.qos_profile = qos
         self.peers: list[Any] = []
         self.made = node.context.state.clock.now()
         self.entity: Callable[[], Any] = _nobody  # what an executor calls for it
         self.is_destroyed = False
-        node.ends.append(self)
+        node.endpoints.append(self)
         node.use()
 
     @property
@@ -85,16 +85,18 @@ class Owner:
         return self.is_destroyed or self.node.context.left is not None
 
     def is_remote(self, other: Any) -> bool:
-        """Whether another end is in another process, where it has to be found."""
-        return isinstance(other, Owner) and other.world is not self.world
+        """Whether another endpoint is in another process, where it has to be found."""
+        return isinstance(other, Endpoint) and other.world is not self.world
 
     def introduce(self, other: Any, *more: Any) -> None:
-        """Let it and an end in another process learn of each other, each by its ``meet(other, *more)``."""
+        """Let it and an endpoint in another process learn of each other, each by its ``meet(other, *more)``."""
         met = self.world.graph.part(Participants).met(self.node.context, other.node.context)
         delay = discovery_delay(self.node.full_name, other.node)
         both: tuple[Any, Any] = (self, other)
-        for end, another in (both, both[::-1]):
-            end.world.at(max(end.made, another.made + ENDPOINT, met) + delay, partial(end.meet, another, *more))
+        for endpoint, another in (both, both[::-1]):
+            endpoint.world.at(
+                max(endpoint.made, another.made + ENDPOINT, met) + delay, partial(endpoint.meet, another, *more)
+            )
 
     def withdraw(self) -> None:
         """Let no one find it any more."""
@@ -111,12 +113,12 @@ class Owner:
             if peer.world is self.world:
                 peer.part(self)
         self.be_missed(self.world.clock.now() + ENDPOINT)
-        if self in self.node.ends:
-            self.node.ends.remove(self)
+        if self in self.node.endpoints:
+            self.node.endpoints.remove(self)
         self.node.release()
 
     def be_missed(self, when: int) -> None:
-        """Let the ends in other processes learn at ``when`` (ns) that it is gone."""
+        """Let the endpoints in other processes learn at ``when`` (ns) that it is gone."""
         for peer in [*self.peers]:
             if peer.world is not self.world:
                 peer.world.at(when, partial(peer.part, self))
@@ -125,7 +127,7 @@ class Owner:
         """Be alive no more: its process was killed."""
 
     def part(self, other: Any) -> None:
-        """Learn that another end is gone."""
+        """Learn that another endpoint is gone."""
         if other in self.peers:
             self.peers.remove(other)
 
@@ -137,10 +139,10 @@ class Entity(Held):
     not clash with what a node keeps there.
     """
 
-    def __init__(self, end: Any) -> None:
-        self._rosspin = end
-        self._rosspin_life = Life(end.destroy)
-        end.entity = ref(self)
+    def __init__(self, endpoint: Any) -> None:
+        self._rosspin = endpoint
+        self._rosspin_life = Life(endpoint.destroy)
+        endpoint.entity = ref(self)
 
     @property
     def handle(self) -> Handle:
