@@ -18,12 +18,12 @@ _PERIOD = "A timer is given a period in seconds: the period is 1 / frequency."
 _OWN = "give each timer a counter of its own."
 
 
-def for_counters(found: Sequence[Printed], wanted: Sequence[float], verb: str = "print") -> str:
+def for_counters(counters: Sequence[Printed], wanted: Sequence[float], verb: str = "print") -> str:
     """Return a hint on counters that came, and should have been 1, 2, ... at the ``wanted`` times (s).
 
     ``verb`` is what the node does with a counter. The hint is empty if the counters themselves are right.
     """
-    texts = [line.text for line in found[: len(wanted)]]
+    texts = [line.text for line in counters[: len(wanted)]]
     if texts == [str(number) for number, _ in enumerate(texts, 1)]:
         return ""
     if any(not text.isdigit() for text in texts):
@@ -32,7 +32,7 @@ def for_counters(found: Sequence[Printed], wanted: Sequence[float], verb: str = 
     steps = {after - number for number, after in pairwise(numbers)}
     if steps == {0}:
         return f"The counter stays at {numbers[0]}: each call has to add 1 to it, and to {verb} what comes of that."
-    if numbers[0] == 0 and steps <= {1} and abs(found[0].time - wanted[0]) < _CLOSE:
+    if numbers[0] == 0 and steps <= {1} and abs(counters[0].time - wanted[0]) < _CLOSE:
         return f"The first counter is 1: add 1 before you {verb} it, not after."
     if steps <= {1} and numbers[0] > 1:
         return f"The first counter is 1, and this one begins at {numbers[0]}: it is 0 at the start. If not, {_OWN}"
@@ -40,31 +40,31 @@ def for_counters(found: Sequence[Printed], wanted: Sequence[float], verb: str = 
         return f"A counter comes more than once: does the node {verb} it twice, or do two timers {verb} the same one?"
     if len(steps) == 1 and (step := steps.pop()) > 1:
         return f"The counter goes up by {step} each time: add 1 in each call. If another timer counts in it: {_OWN}"
-    if abs(found[0].time - wanted[0]) < _CLOSE:
+    if abs(counters[0].time - wanted[0]) < _CLOSE:
         return f"Something else counts in the same variable: {_OWN}"
     return ""
 
 
-def for_times(found: Sequence[Printed], wanted: Sequence[float], hint: str = "") -> str:
+def for_times(counters: Sequence[Printed], wanted: Sequence[float], hint: str = "") -> str:
     """Return a hint on the right counters at wrong times; ``hint`` if they show no more than another period."""
-    pairs = list(pairwise(found[: len(wanted)]))
+    pairs = list(pairwise(counters[: len(wanted)]))
     if pairs and all(after.time - line.time < _CLOSE for line, after in pairs[::2]):
         return "They come two at a time: do two timers call the same callback, or does one call count twice?"
     period = wanted[1] - wanted[0] if pairs and abs(wanted[1] - 2 * wanted[0]) < _CLOSE else 0.0
     if period and all(abs(after.time - line.time - period) < _CLOSE for line, after in pairs):
-        start, late = f"They come every {say(period)}, as asked for, but", found[0].time - period
+        start, late = f"They come every {say(period)}, as asked for, but", counters[0].time - period
         if late > _CLOSE:
             return f"{start} {say(late)} late. What keeps the first one?"
-        if found[0].time < _CLOSE:
+        if counters[0].time < _CLOSE:
             return f"{start} from the start. A timer waits for one period before its first call: what makes this one?"
-    if len(found) == 1 < len(wanted) and abs(found[0].time - wanted[0]) < _CLOSE:
+    if len(counters) == 1 < len(wanted) and abs(counters[0].time - wanted[0]) < _CLOSE:
         return hint or "It came once, and never again: what should call back the next time?"
     return hint
 
 
-def for_naps(run: ObservedRun, found: Sequence[Printed], wanted: Sequence[float]) -> str:
+def for_naps(run: ObservedRun, counters: Sequence[Printed], wanted: Sequence[float]) -> str:
     """Return a hint on counters that come late because a timer's callback sleeps; empty if none does."""
-    if not run.naps or all(line.time < time + _CLOSE for line, time in zip(found, wanted, strict=False)):
+    if not run.naps or all(line.time < time + _CLOSE for line, time in zip(counters, wanted, strict=False)):
         return ""
     return f"The callback sleeps, at line {run.naps[0]}, and its timer calls it again only when it has returned."
 

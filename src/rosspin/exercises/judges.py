@@ -47,7 +47,7 @@ def run(
 
     def judge(answer: Answer) -> Iterator[Finding]:
         run = answer.run(seconds, given, allowed=allowed, stalls_at=stalls_at)
-        yield from _found(run, when or _with(given), checks)
+        yield from _findings(run, when or _with(given), checks)
 
     return judge
 
@@ -58,7 +58,7 @@ def ending(
     """Run an answer and check it, however it ends. SIGTERM may come before Ctrl-C."""
 
     def judge(answer: Answer) -> Iterator[Finding]:
-        yield from _found(answer.ending(seconds, given, terminated_at), when or _with(given), checks)
+        yield from _findings(answer.ending(seconds, given, terminated_at), when or _with(given), checks)
 
     return judge
 
@@ -79,7 +79,7 @@ def shaken(
 
     def judge(answer: Answer) -> Iterator[Finding]:
         for seed in range(seeds):
-            for finding in _found(answer.run(seconds, given, seed=seed, stalls_at=stalls_at), when, checks):
+            for finding in _findings(answer.run(seconds, given, seed=seed, stalls_at=stalls_at), when, checks):
                 if not finding.right:
                     yield finding
                     return
@@ -107,7 +107,7 @@ def until_wrong(*judges: Judge) -> Judge:
     return judge
 
 
-def _found(run: ObservedRun, when: str, checks: Sequence[Check]) -> Iterator[Finding]:
+def _findings(run: ObservedRun, when: str, checks: Sequence[Check]) -> Iterator[Finding]:
     return (finding for check in checks if (finding := check(run, when)))
 
 
@@ -125,7 +125,7 @@ def grid(period: float, seconds: float, start: float | None = None) -> list[floa
 
 
 def on_time(
-    found: Sequence[Printed],
+    counters: Sequence[Printed],
     wanted: Sequence[float],
     what: str = "",
     hint: str = "",
@@ -137,35 +137,35 @@ def on_time(
     ``one`` is what each of them is, ``verb`` what the node does with it. ``hint`` is for what the counters do not show.
     """
     start = f"{what}: " if what else ""
-    hint = (one == "counter" and for_counters(found, wanted, verb)) or hint
-    if not found:
+    hint = (one == "counter" and for_counters(counters, wanted, verb)) or hint
+    if not counters:
         return Finding(False, f"{start}no {one} was printed.", hint)
-    for number, (line, time) in enumerate(zip(found, wanted, strict=False), 1):
+    for number, (line, time) in enumerate(zip(counters, wanted, strict=False), 1):
         if line.text != str(number):
             text = f"{start}where {one} {number} was due, {one} {plain(line.text)} came."
             return Finding(False, text, hint)
         if abs(line.time - time) > CLOSE:
             text = f"{start}{one} {number} came at {say(line.time)}, not at {say(time)}."
-            return Finding(False, text, hint, _around(number - 1, found, wanted, one))
-    if len(found) > len(wanted):
-        extra = found[len(wanted)]
+            return Finding(False, text, hint, _around(number - 1, counters, wanted, one))
+    if len(counters) > len(wanted):
+        extra = counters[len(wanted)]
         text = f"{start}{one} {plain(extra.text)} came at {say(extra.time)}; it should not have come."
-        return Finding(False, text, hint, _around(len(wanted), found, wanted, one))
-    if len(found) < len(wanted):
-        text = f"{start}{one} {len(found) + 1}, due at {say(wanted[len(found)])}, did not come."
-        return Finding(False, text, hint, _around(len(found), found, wanted, one))
+        return Finding(False, text, hint, _around(len(wanted), counters, wanted, one))
+    if len(counters) < len(wanted):
+        text = f"{start}{one} {len(counters) + 1}, due at {say(wanted[len(counters)])}, did not come."
+        return Finding(False, text, hint, _around(len(counters), counters, wanted, one))
     if len(wanted) == 1:
         return Finding(True, f"{start}{one} 1 came at {say(wanted[0])}, and no other.")
     text = f"{start}{one}s 1 to {len(wanted)} came from {say(wanted[0])} to {say(wanted[-1])}, each at its time."
     return Finding(True, text)
 
 
-def _around(place: int, found: Sequence[Printed], wanted: Sequence[float], one: str) -> tuple[str, ...]:
+def _around(place: int, counters: Sequence[Printed], wanted: Sequence[float], one: str) -> tuple[str, ...]:
     """Show when each ``one`` came above when it was due, around the first that differs."""
     part = slice(max(place - 2, 0), place + 3)
     rows = {
-        one: [str(number) for number, _ in enumerate(wanted if len(wanted) > len(found) else found, 1)][part],
-        "came": [say(line.time) for line in found[part]],
+        one: [str(number) for number, _ in enumerate(wanted if len(wanted) > len(counters) else counters, 1)][part],
+        "came": [say(line.time) for line in counters[part]],
         "due": [say(time) for time in wanted[part]],
     }
     return above(**rows)
@@ -193,22 +193,22 @@ def ticks(
     The periods go from ``start`` (default: after one period) ``until`` a time (default: the end of the run). ``tag`` is
     what is printed before a counter, if not the tag of the spinner nodes; ``name`` says whose the counters are.
     """
-    found, wanted = run.counters(tag), [*at, *(grid(period, until or run.seconds, start) if period else ())]
+    counters, wanted = run.counters(tag), [*at, *(grid(period, until or run.seconds, start) if period else ())]
     what = ", ".join(filter(None, (when, name)))
-    said = hint if isinstance(hint, str) else hint(found)
-    if not found:
+    said = hint if isinstance(hint, str) else hint(counters)
+    if not counters:
         said = for_none(run, tag or run.tag, said)
     elif run.interrupted:
-        said = for_times(found, wanted, said or for_naps(run, found, wanted))
-    return on_time(found, wanted, what, said)
+        said = for_times(counters, wanted, said or for_naps(run, counters, wanted))
+    return on_time(counters, wanted, what, said)
 
 
 def unless_regular(asked: float, hint: str) -> Hint:
     """Return a hint for counters that leave their grid, or that have another period than is ``asked`` for (s)."""
 
-    def hint_for(found: Sequence[Printed]) -> str:
-        period = found[0].time if found else asked
-        regular = len(found) > 1 and all(abs(line.time - n * period) < CLOSE for n, line in enumerate(found, 1))
+    def hint_for(counters: Sequence[Printed]) -> str:
+        period = counters[0].time if counters else asked
+        regular = len(counters) > 1 and all(abs(line.time - n * period) < CLOSE for n, line in enumerate(counters, 1))
         if regular and abs(period - asked) > CLOSE:
             return (
                 f"They come every {say(period)}: that is the period of their timer now, not the one you were asked for."
@@ -220,7 +220,7 @@ def unless_regular(asked: float, hint: str) -> Hint:
 
 def unless_first_at(time: float, hint: str) -> Hint:
     """Return a hint for counters the first of which does not come at a time (s)."""
-    return lambda found: "" if found and abs(found[0].time - time) < CLOSE else hint
+    return lambda counters: "" if counters and abs(counters[0].time - time) < CLOSE else hint
 
 
 # --- who ticks --------------------------------------------------------------------------------------------------------
@@ -342,7 +342,7 @@ def goes_on(seconds: float, *checks: Check, given: str = "", hint: str) -> Judge
     def judge(answer: Answer) -> Iterator[Finding]:
         run = answer.run(seconds, given, has_to_end=False)
         said = _with(given)
-        yield from _found(run, said, checks)
+        yield from _findings(run, said, checks)
         if run.killed:
             start = f"{said}: the" if said else "the"
             yield Finding(False, f"{start} node did not end at Ctrl-C: {say_kept(run, 2)}", hint)

@@ -113,7 +113,7 @@ HINT_CPP = "Call the `cancel()` of the timer in its callback: `timer_->cancel()`
 
 check = by.run(
     6.0,
-    by.ticks(at=[1.5], hint=lambda found: by.unless_first_at(1.5, _FIRST if found else _STOPS_ALL)(found)),
+    by.ticks(at=[1.5], hint=lambda counters: by.unless_first_at(1.5, _FIRST if counters else _STOPS_ALL)(counters)),
     by.ticks(1.0, "The heartbeat", "HEARTBEAT", _STOPS_ALL),
     by.stops(1, "a timer of the node"),
 )

@@ -53,9 +53,9 @@ HINT = (
 )
 
 
-def _ignored(found: Sequence[Printed]) -> str:
+def _ignored(counters: Sequence[Printed]) -> str:
     """Return a hint on counters that come as without the parameter; empty for others."""
-    return _DECLARED if found and abs(found[0].time - 0.5) < by.CLOSE else "Is the period 1 / frequency?"
+    return _DECLARED if counters and abs(counters[0].time - 0.5) < by.CLOSE else "Is the period 1 / frequency?"
 
 
 check = by.every(

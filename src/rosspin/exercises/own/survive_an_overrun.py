@@ -52,13 +52,13 @@ HINTS = [
 HINT = "Before the loop sleeps, move the deadline on by whole periods until it lies ahead."
 
 
-def _overrun(work: float, found: Sequence[Printed]) -> str:
+def _overrun(work: float, counters: Sequence[Printed]) -> str:
     """Return a hint on a loop of 2 Hz whose third pass works for too long (s)."""
-    if len(found) > 3 and found[3].time - found[2].time < work - by.CLOSE:
+    if len(counters) > 3 and counters[3].time - counters[2].time < work - by.CLOSE:
         return f"The third pass works for {work:g} s: leave that in it. The next one begins after it."
-    if found and abs(found[-1].time / 0.5 - round(found[-1].time / 0.5)) > by.CLOSE:
+    if counters and abs(counters[-1].time / 0.5 - round(counters[-1].time / 0.5)) > by.CLOSE:
         return "The loop has left its grid of 0.5 s: count deadlines on from the old one, not from now."
-    if any(after.time - line.time < 0.5 - by.CLOSE for line, after in pairwise(found[2:])):
+    if any(after.time - line.time < 0.5 - by.CLOSE for line, after in pairwise(counters[2:])):
         return "A lost pass is not to be made up for: two passes in a row would send two commands in quick succession."
     return ""
 
