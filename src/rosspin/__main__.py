@@ -211,16 +211,16 @@ def _look(options: argparse.Namespace, args: Sequence[str]) -> int:
     name = options.log if options.log != "-" else "standard input"
     with _open_log(options.log) if options.log != "-" else nullcontext(sys.stdin.buffer) as file:
         try:
-            found = look(file, name, _show_part if sys.stderr.isatty() else lambda part: None)
+            shown = look(file, name, _show_part if sys.stderr.isatty() else lambda part: None)
         except NoLog as error:
             raise ValueError(f"{name}: {error}") from error
     if options.json:
-        print(json.dumps(found.as_dict(), indent=1))
+        print(json.dumps(shown.as_dict(), indent=1))
     else:
-        print(*found.report(), sep="\n")
+        print(*shown.report(), sep="\n")
     if options.test is not None:
-        _write_test(found, Path(options.test))
-    return _save(options.plot, lambda: overview(found.ticks())) if options.plot is not None else 0
+        _write_test(shown, Path(options.test))
+    return _save(options.plot, lambda: overview(shown.ticks())) if options.plot is not None else 0
 
 
 def _open_log(path: str) -> BinaryIO:
@@ -240,11 +240,11 @@ def _show_part(part: float) -> None:
     print(f"\r{bar}\033[K", end="", file=sys.stderr, flush=True)
 
 
-def _write_test(found: Look, folder: Path) -> None:
+def _write_test(shown: Look, folder: Path) -> None:
     """Write the node and the test: both or neither, and none over one that is there already."""
-    files = {folder / name: text for name, text in as_files(found).items()}
+    files = {folder / name: text for name, text in as_files(shown).items()}
     if not files:
-        raise ValueError(f"{found.name}: nothing in it is regular, so there is no test to write")
+        raise ValueError(f"{shown.name}: nothing in it is regular, so there is no test to write")
     for path in files:
         if path.exists():
             raise ValueError(f"{path} is there already")

@@ -333,14 +333,14 @@ def look(log: Any, name: str) -> str:
         return dumps({"problem": _shortened(said)})
 
 
-def _looked(found: Look) -> dict[str, Any]:
+def _looked(shown: Look) -> dict[str, Any]:
     from .look.pinning import as_files
     from .look.series import FEWEST
 
-    if found.seconds > _FAR:
-        years = found.seconds / 31_557_600
+    if shown.seconds > _FAR:
+        years = shown.seconds / 31_557_600
         return {"problem": f"its times are {years:.3g} years apart, which no clock of ROS can say"}
-    made = found.as_dict()
+    made = shown.as_dict()
     left = lacking = _MOST_ENTRIES
     rows = []
     for series in [series for series in made["series"] if series["count"] >= FEWEST][:_MOST_SERIES]:
@@ -357,7 +357,7 @@ def _looked(found: Look) -> dict[str, Any]:
         for verdict in made["verdicts"][:_MOST]
     ]
     about = {name: made[name] for name in ("kind", "entries", "seconds")} | {"notes": _shortened(made["notes"][:_MOST])}
-    files = [[name, text] for name, text in as_files(found).items() if len(text) <= _TEXT]
+    files = [[name, text] for name, text in as_files(shown).items() if len(text) <= _TEXT]
     return {"problem": "", **about, "verdicts": faults, "series": rows, "files": files}
 
 

@@ -81,22 +81,22 @@ class _Diagnosis:
         self.ros = log.ros
         # rospy writes microseconds. Its timers have threads of their own, so none of them waits for another.
         self.is_rospy = self.ros == 1 and all(entry.time % 1000 == 0 for entry in log.entries)
-        self.found: list[Verdict] = []
+        self.diagnosed: list[Verdict] = []
         self.queues: list[Series] = []
         self.jumps: list[int] = []
 
     def verdicts(self) -> list[Verdict]:
         self.clock_back()
-        if not any(verdict.name == "unknown" for verdict in self.found):  # else runs, or processes, are mixed up
+        if not any(verdict.name == "unknown" for verdict in self.diagnosed):  # else runs, or processes, are mixed up
             for look in (self.doubled, self.queue, self.lost, self.gaps, self.bursts, self.sleep):
                 look()
-        if not self.found:
+        if not self.diagnosed:
             self.say_good()
         order = list(TITLES)
-        return sorted(self.found, key=lambda verdict: order.index(verdict.name))
+        return sorted(self.diagnosed, key=lambda verdict: order.index(verdict.name))
 
     def say(self, name: str, certain: str, evidence: Sequence[str], series: Iterable[Series] = ()) -> None:
-        self.found.append(Verdict(name, certain, tuple(evidence), _places(series)))
+        self.diagnosed.append(Verdict(name, certain, tuple(evidence), _places(series)))
 
     def at(self, time: float) -> str:
         return f"{(time - self.zero) / NS:.2f} s"
@@ -190,7 +190,7 @@ class _Diagnosis:
         }
         split = [name for name, group in enough.items() if len([series for series in group if series.part]) > 1]
         if len(enough) > 1 and len(split) == len(enough):
-            if not any(verdict.name == "twins" for verdict in self.found):  # once is enough
+            if not any(verdict.name == "twins" for verdict in self.diagnosed):  # once is enough
                 evidence.append("So it is with every line of this node: two processes log it.")
                 self.say("twins", "likely", evidence, [series for group in enough.values() for series in group])
         elif len(enough) > len(split):
@@ -360,7 +360,7 @@ class _Diagnosis:
                 continue
             if sum(window.goes_on(series) for window in windows) > 0.3 * len(windows):
                 continue
-            for where, edge in (("just before", Window.begins), ("at the end of", Window.ends)):
+            for where, edge in (("just before", Window.entries_at_start), ("at the end of", Window.entries_at_end)):
                 hits = [n for window in windows for n in edge(window, series)[:1]]
                 # A callback that is slow in each tenth pass, say, begins a window then; unless the late line does that.
                 often = len(hits) > 2 and len({later - n for n, later in pairwise(hits)}) == 1 and not every(windows)

@@ -112,7 +112,7 @@ def test_the_line_keeps_its_period(line):
 """
 
 
-def as_files(found: Look) -> dict[str, str]:
+def as_files(look: Look) -> dict[str, str]:
     """Write a node that logs the regular lines of a log as they should come, and a pytest test that it passes.
 
     Returns the texts by the names of the files; none if nothing in the log is regular. The lines are from one
@@ -120,13 +120,13 @@ def as_files(found: Look) -> dict[str, str]:
     log has, or where a sleep came after the work, the one that was meant. So late as 98% of the log's lines they may
     be, but no later than a tenth of the period; at least 1 ms.
     """
-    rows = _chosen(found)
+    rows = _chosen(look)
     if not rows:
         return {}
-    logged = [_Line(n, series, found) for n, series in enumerate(rows, 1)]
+    logged = [_Line(n, series, look) for n, series in enumerate(rows, 1)]
     name = re.sub(r"\W", "_", rows[0].node.rpartition(".")[2].strip("/"), flags=re.ASCII).strip("_").lower()
     name = name if name[:1].isalpha() else f"log_{name or 'node'}"
-    ros = found.ros
+    ros = look.ros
     node = [_HEADS[ros].format(name=_quoted(name))]
     node += [f"        self.count_{line.n} = 0\n" for line in logged]
     node += [_TIMERS[ros].format(n=line.n, period=line.period) for line in logged]
@@ -139,12 +139,12 @@ def as_files(found: Look) -> dict[str, str]:
     return {NODE: "".join(node), TEST: _TEST.format(node=_quoted(NODE), lines=lines, seconds=seconds)}
 
 
-def _chosen(found: Look) -> Sequence[Series]:
+def _chosen(look: Look) -> Sequence[Series]:
     """Return the regular lines of one node that the files are about: each once."""
-    regular = [series for series in found.series if series.is_regular]
+    regular = [series for series in look.series if series.is_regular]
     if not regular:
         return []
-    named = [name for verdict in found.verdicts for name in verdict.series]
+    named = [name for verdict in look.verdicts for name in verdict.series]
     first = min(regular, key=lambda series: named.index(series.name) if series.name in named else len(named))
     rows = {series.line: series for series in reversed(regular) if series.node == first.node}
     shortest = min(series.period for series in rows.values())
@@ -156,14 +156,14 @@ def _chosen(found: Look) -> Sequence[Series]:
 class _Line:
     """What the files say of a series: the text as an f-string, its shape, and times (s)."""
 
-    def __init__(self, n: int, series: Series, found: Look) -> None:
-        slept = any(verdict.name == "sleep" and series.name in verdict.series for verdict in found.verdicts)
+    def __init__(self, n: int, series: Series, look: Look) -> None:
+        slept = any(verdict.name == "sleep" and series.name in verdict.series for verdict in look.verdicts)
         meant = series.is_chosen or slept and 0 < series.drift < 0.6
         late = quantile([abs(late) for late in series.late], 0.98)
         self.n = n
         self.period = _round((series.chosen if meant else series.period) / NS)
         self.tolerance = _round(max(1e-3, min(late / NS, self.period / 10)))
-        is_short = found.kind == "console" and len(series.texts[0]) <= 200
+        is_short = look.kind == "console" and len(series.texts[0]) <= 200
         example = series.texts[0] if is_short else f"message {n}: 1"
         self.shape = shape(example)[0]
         self.text = _counted(example, n)

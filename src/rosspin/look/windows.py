@@ -74,11 +74,11 @@ class Window:
         """Whether a line comes in the middle: then it is not what the others wait for."""
         return bool(series.between(self.due + _AT_ONCE, self.end - 0.25 * (self.end - self.due)))
 
-    def begins(self, series: Series) -> list[int]:
+    def entries_at_start(self, series: Series) -> list[int]:
         """Return the entries of a line that come where this begins: before the first tick that was due in it."""
         return series.between(self.start - _AT_ONCE, self.due + _AT_ONCE)
 
-    def ends(self, series: Series) -> list[int]:
+    def entries_at_end(self, series: Series) -> list[int]:
         """Return the entries of a line that come where this ends; of a late one that is no wonder."""
         return [] if series in self.lines else series.between(self.end - 0.1 * self.length, self.end + 2 * _AT_ONCE)
 
