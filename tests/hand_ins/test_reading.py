@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 
 from rosspin.exercises import code
-from rosspin.hand_ins.archives import ON_DISK, Bounds, Found, find
+from rosspin.hand_ins.archives import ON_DISK, Bounds, FoundFile, find
 from rosspin.hand_ins.files import HandIn, Refused, read
 from rosspin.hand_ins.students import Class
 
@@ -163,7 +163,7 @@ def zipped(files: Mapping[str, bytes | str], **how: Any) -> bytes:
     return buffer.getvalue()
 
 
-def in_archive(data: bytes, folder: Path) -> list[Found]:
+def in_archive(data: bytes, folder: Path) -> list[FoundFile]:
     (folder / "all.zip").write_bytes(data)
     return list(find(folder / "all.zip"))
 

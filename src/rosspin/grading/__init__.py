@@ -45,17 +45,17 @@ def judge(
     Where answers cannot be sealed, nothing is judged unless it may be ``unsealed``. The processes of an ``executor``
     judge the answers, if there is one, else as many on this machine as it has processors. The verdicts are the same.
     """
-    found, reading = Class(), _Reading()
+    hand_ins, reading = Class(), _Reading()
     try:
         for path in paths:
-            found.add(Path(path), reading.step)
+            hand_ins.add(Path(path), reading.step)
     except OSError as error:
         return _misused(f"{path}: {error.strerror}")
     finally:
         reading.end()
     if csv and (Path(csv).is_dir() or not Path(csv).parent.is_dir()):
         return _misused(f"--csv {csv}: this is a folder, or there is no such folder")
-    places = [(row, name) for row in found.rows for name in row.answers]
+    places = [(row, name) for row in hand_ins.rows for name in row.answers]
     for row, name in places:
         row.verdicts[name] = _STOPPED
     try:
@@ -63,7 +63,7 @@ def judge(
     except CannotSeal as error:
         return _misused(f"answers cannot be sealed here: {str(error).rstrip('.')}. {_REMEDY}")
     progress = _Progress(len(places))
-    for said in (*found.notes, *(f"{file} is refused: {why}." for file, why in found.refused)):
+    for said in (*hand_ins.notes, *(f"{file} is refused: {why}." for file, why in hand_ins.refused)):
         print(said, file=sys.stderr)
 
     def done(number: int, verdict: Verdict) -> None:
@@ -76,32 +76,32 @@ def judge(
     finally:
         pool.close()
         progress.end()
-    found.why_unsealed = pool.why
-    for said in (say_unsealed(found), say_python(found)):
+    hand_ins.why_unsealed = pool.why
+    for said in (say_unsealed(hand_ins), say_python(hand_ins)):
         if said:
             print(said, file=sys.stderr)
     status = 0
     if csv:
         try:
-            save_whole(csv, write_csv(as_csv(found)))
+            save_whole(csv, write_csv(as_csv(hand_ins)))
         except OSError as error:
             status = _misused(f"--csv {csv}: {error.strerror}")
-    _print(found, as_json)
+    _print(hand_ins, as_json)
     if pool.stopped:
         return 128 + signal.SIGINT
-    if not found.rows:
+    if not hand_ins.rows:
         print("No hand-in was found.", file=sys.stderr)
-    is_right = bool(places) and all(verdict.solved for row in found.rows for verdict in row.verdicts.values())
-    return status or (0 if is_right and all(row.answers for row in found.rows) else 1)
+    is_right = bool(places) and all(verdict.solved for row in hand_ins.rows for verdict in row.verdicts.values())
+    return status or (0 if is_right and all(row.answers for row in hand_ins.rows) else 1)
 
 
-def _print(found: Class, as_json: bool) -> None:
+def _print(hand_ins: Class, as_json: bool) -> None:
     if as_json:
-        print(json.dumps(as_data(found), indent=1))
+        print(json.dumps(as_data(hand_ins), indent=1))
         return
     # A terminal that lacks a character is shown something else; and no one's text moves its cursor.
     encoding = sys.stdout.encoding or "utf-8"
-    for line in as_words(found):
+    for line in as_words(hand_ins):
         shown = "".join(each if each.isprintable() else "\N{REPLACEMENT CHARACTER}" for each in line.expandtabs())
         print(shown.encode(encoding, "replace").decode(encoding))
 

@@ -19,7 +19,7 @@ from typing import IO, Any, NamedTuple, cast
 from . import MOST_FILE
 from .files import SUFFIXES
 
-__all__ = ["ON_DISK", "ON_PAGE", "Bounds", "Found", "find", "find_given"]
+__all__ = ["ON_DISK", "ON_PAGE", "Bounds", "FoundFile", "find", "find_given"]
 
 # So many archives within each other are read.
 _DEEPEST = 4
@@ -50,7 +50,7 @@ _OTHER_ARCHIVES = (".7z", ".rar", ".tar", ".gz", ".tgz", ".bz2", ".xz")
 _LEFT_BEHIND = re.compile(r"\..*|__MACOSX|__pycache__|Thumbs\.db|desktop\.ini|node_modules", re.IGNORECASE)
 
 
-class Found(NamedTuple):
+class FoundFile(NamedTuple):
     """A file: the folders and archives that it is in and its name, below what was given; and what is in it.
 
     If it cannot be read, ``why`` says so.
@@ -109,24 +109,24 @@ class _Listed:
         return data
 
 
-def find(path: Path) -> Iterator[Found]:
+def find(path: Path) -> Iterator[FoundFile]:
     """Yield the files in a folder or an archive, or a single file. Raises OSError if it is none of these."""
     return _within_bounds(path.name, _find(path, budget := _Budget(ON_DISK)), budget)
 
 
-def find_given(name: str, files: Mapping[tuple[str, ...], IO[bytes]]) -> Iterator[Found]:
+def find_given(name: str, files: Mapping[tuple[str, ...], IO[bytes]]) -> Iterator[FoundFile]:
     """Yield the files that a browser has: of a folder with this name, by their paths in it; or one, without a path."""
     return _within_bounds(name, _find_given(name, files, budget := _Budget(ON_PAGE)), budget)
 
 
-def _within_bounds(name: str, found: Iterator[Found], budget: _Budget) -> Iterator[Found]:
+def _within_bounds(name: str, files: Iterator[FoundFile], budget: _Budget) -> Iterator[FoundFile]:
     try:
-        yield from found
+        yield from files
     except _TooMuch:
-        yield Found((name,), why="there is too much in all; have it judged in parts")
+        yield FoundFile((name,), why="there is too much in all; have it judged in parts")
 
 
-def _find_given(name: str, files: Mapping[tuple[str, ...], IO[bytes]], budget: _Budget) -> Iterator[Found]:
+def _find_given(name: str, files: Mapping[tuple[str, ...], IO[bytes]], budget: _Budget) -> Iterator[FoundFile]:
     for parts in sorted(files, key=_in_order):
         budget.take("entries", 1)
         try:
@@ -135,7 +135,7 @@ def _find_given(name: str, files: Mapping[tuple[str, ...], IO[bytes]], budget: _
             elif not any(map(_LEFT_BEHIND.fullmatch, parts)):
                 yield from _opened(parts, files[parts], budget)
         except OSError as error:
-            yield Found(parts or (name,), why=f"it cannot be read: {error.strerror}")
+            yield FoundFile(parts or (name,), why=f"it cannot be read: {error.strerror}")
 
 
 def _in_order(parts: tuple[str, ...]) -> list[tuple[bool, str]]:
@@ -143,7 +143,7 @@ def _in_order(parts: tuple[str, ...]) -> list[tuple[bool, str]]:
     return [(place < len(parts), part) for place, part in enumerate(parts, 1)]
 
 
-def _find(path: Path, budget: _Budget) -> Iterator[Found]:
+def _find(path: Path, budget: _Budget) -> Iterator[FoundFile]:
     if not path.is_dir():
         if path.exists() and not path.is_file():  # a pipe may never end
             raise OSError(errno.EINVAL, "it is no file, and no folder")
@@ -159,20 +159,20 @@ def _find(path: Path, budget: _Budget) -> Iterator[Found]:
         except OSError as error:
             if not parts:
                 raise
-            yield Found(parts, why=f"it cannot be read: {error.strerror}")
+            yield FoundFile(parts, why=f"it cannot be read: {error.strerror}")
             continue
         for name in files:
             yield from _file(Path(path, *parts, name), (*parts, name), budget)
         waiting += ((*parts, name) for name in reversed(folders))
 
 
-def _single(name: str, file: IO[bytes], budget: _Budget) -> Iterator[Found]:
+def _single(name: str, file: IO[bytes], budget: _Budget) -> Iterator[FoundFile]:
     data = file.read(MOST_FILE + 1)
     if name.lower().endswith(".zip") or data.startswith(b"PK\x03\x04"):
         file.seek(0)
         yield from _unzipped((), file, budget, 1, name)
     else:
-        yield Found((name,), data)
+        yield FoundFile((name,), data)
 
 
 def _sorted(entries: Iterable[os.DirEntry[str]], budget: _Budget) -> tuple[list[str], list[str]]:
@@ -186,36 +186,38 @@ def _sorted(entries: Iterable[os.DirEntry[str]], budget: _Budget) -> tuple[list[
     return sorted(folders), sorted(files)
 
 
-def _file(place: Path, parts: tuple[str, ...], budget: _Budget) -> Iterator[Found]:
+def _file(place: Path, parts: tuple[str, ...], budget: _Budget) -> Iterator[FoundFile]:
     try:
         # A link may lead to the teacher's own files, and what is no file may never end.
         if not stat.S_ISREG(os.lstat(place).st_mode):
-            yield Found(parts, why="it is a link, or no file")
+            yield FoundFile(parts, why="it is a link, or no file")
         else:
             with open(place, "rb") as file:
                 yield from _opened(parts, file, budget)
     except OSError as error:
-        yield Found(parts, why=f"it cannot be read: {error.strerror}")
+        yield FoundFile(parts, why=f"it cannot be read: {error.strerror}")
 
 
-def _opened(parts: tuple[str, ...], file: IO[bytes], budget: _Budget) -> Iterator[Found]:
+def _opened(parts: tuple[str, ...], file: IO[bytes], budget: _Budget) -> Iterator[FoundFile]:
     if parts[-1].lower().endswith(".zip"):
         yield from _handed_in(parts, file, budget, 1)
     else:
         yield _content(parts, file, budget)
 
 
-def _content(parts: tuple[str, ...], file: IO[bytes], budget: _Budget) -> Found:
+def _content(parts: tuple[str, ...], file: IO[bytes], budget: _Budget) -> FoundFile:
     """Read what is of use: nothing of a film, and of no file more than is judged."""
     if not _holds_answers(parts[-1]):
         other = parts[-1].lower().endswith(_OTHER_ARCHIVES)
-        return Found(parts, why="unpack it first: of archives, zip is read" if other else "it is no file of answers")
+        return FoundFile(
+            parts, why="unpack it first: of archives, zip is read" if other else "it is no file of answers"
+        )
     data = file.read(MOST_FILE + 1)
     budget.take("answers", len(data))
-    return Found(parts, data)
+    return FoundFile(parts, data)
 
 
-def _handed_in(parts: tuple[str, ...], file: IO[bytes], above: _Budget, depth: int) -> Iterator[Found]:
+def _handed_in(parts: tuple[str, ...], file: IO[bytes], above: _Budget, depth: int) -> Iterator[FoundFile]:
     """Yield the files in an archive that is one of several: whatever is in it, others are read as well."""
     budget = _Budget(above.bounds, above)
     try:
@@ -223,10 +225,12 @@ def _handed_in(parts: tuple[str, ...], file: IO[bytes], above: _Budget, depth: i
     except _TooMuch as error:
         if error.budget is not budget:
             raise
-        yield Found(parts, why="there is too much in it")
+        yield FoundFile(parts, why="there is too much in it")
 
 
-def _unzipped(parts: tuple[str, ...], file: IO[bytes], budget: _Budget, depth: int, name: str = "") -> Iterator[Found]:
+def _unzipped(
+    parts: tuple[str, ...], file: IO[bytes], budget: _Budget, depth: int, name: str = ""
+) -> Iterator[FoundFile]:
     """Yield the files in an archive, whose own ``name`` is no part of theirs, and in those within it."""
     try:
         listed = _Listed(file, budget)
@@ -234,7 +238,7 @@ def _unzipped(parts: tuple[str, ...], file: IO[bytes], budget: _Budget, depth: i
         listed.budget = None
         entries = sorted(archive.infolist(), key=_name)
     except (zipfile.BadZipFile, NotImplementedError, ValueError, OSError):
-        yield Found(parts or (name,), why="it is no zip archive that can be read")
+        yield FoundFile(parts or (name,), why="it is no zip archive that can be read")
         return
     budget.take("entries", len(entries))
     for entry in entries:
@@ -246,30 +250,30 @@ def _unzipped(parts: tuple[str, ...], file: IO[bytes], budget: _Budget, depth: i
         try:
             yield from _entry(archive, entry, place, budget, depth)
         except (zipfile.BadZipFile, zlib.error, NotImplementedError, EOFError, ValueError, OSError):
-            yield Found(place, why="it is damaged in its archive")
+            yield FoundFile(place, why="it is damaged in its archive")
 
 
 def _entry(
     archive: zipfile.ZipFile, entry: zipfile.ZipInfo, place: tuple[str, ...], budget: _Budget, depth: int
-) -> Iterator[Found]:
+) -> Iterator[FoundFile]:
     if entry.flag_bits & 1:
-        yield Found(place, why="it is locked with a password")
+        yield FoundFile(place, why="it is locked with a password")
     elif stat.S_ISLNK(entry.external_attr >> 16):
-        yield Found(place, why="it is a link, or no file")
+        yield FoundFile(place, why="it is a link, or no file")
     elif entry.compress_type not in _PACKED:
-        yield Found(place, why="it is packed in a way that is not read here; unpack the archive first")
+        yield FoundFile(place, why="it is packed in a way that is not read here; unpack the archive first")
     elif not place[-1].lower().endswith(".zip"):
         with archive.open(entry) as file:
             yield _content(place, file, budget)
     elif depth == _DEEPEST:
-        yield Found(place, why=f"it is an archive within {_DEEPEST} others")
+        yield FoundFile(place, why=f"it is an archive within {_DEEPEST} others")
     else:
         most = budget.bounds.unpacked // _OF_ONE
         with archive.open(entry) as file:
             data = file.read(most + 1)
         inner = _handed_in if depth == 1 else _unzipped
         if len(data) > most:
-            yield Found(place, why="there is too much in it")
+            yield FoundFile(place, why="there is too much in it")
         else:
             budget.take("unpacked", len(data))
             yield from inner(place, io.BytesIO(data), budget, depth + 1)

@@ -34,12 +34,12 @@ class Hard(NamedTuple):
     hints: tuple[tuple[str, int], ...]
 
 
-def hard(found: Class) -> list[Hard]:
+def hard(hand_ins: Class) -> list[Hard]:
     """Return the exercises that someone answered and has not solved, the hardest first."""
     titles = {exercise.name: exercise.title for exercise in EXERCISES}
     counted = []
-    for name in found.exercises:
-        verdicts = [row.verdicts[name] for row in found.rows if name in row.verdicts]
+    for name in hand_ins.exercises:
+        verdicts = [row.verdicts[name] for row in hand_ins.rows if name in row.verdicts]
         solved = sum(verdict.solved for verdict in verdicts)
         hints = Counter(verdict.hint for verdict in verdicts if verdict.hint)
         counted.append(Hard(name, titles.get(name, ""), len(verdicts), solved, tuple(hints.most_common())))
@@ -47,29 +47,29 @@ def hard(found: Class) -> list[Hard]:
     return sorted(missed, key=lambda each: each.solved / each.answered)
 
 
-def as_words(found: Class) -> Iterator[str]:
+def as_words(hand_ins: Class) -> Iterator[str]:
     """Yield the lines for a terminal: of a single student all that was said, of more a line for each."""
-    if found.why_unsealed:
-        yield say_unsealed(found)
-    if len(found.rows) == 1:
-        [row] = found.rows
+    if hand_ins.why_unsealed:
+        yield say_unsealed(hand_ins)
+    if len(hand_ins.rows) == 1:
+        [row] = hand_ins.rows
         for name, verdict in row.verdicts.items():
             yield f"{name}: {verdict.verdict}"
             yield from (f"  {line}" for line in verdict.said.splitlines())
-    for row in found.rows:
-        yield f"{_line(row)}{'; NOT sealed' if found.why_unsealed else ''}"
-    yield from _closest(found)
-    if len(found.rows) > 1 and (missed := hard(found)):
+    for row in hand_ins.rows:
+        yield f"{_line(row)}{'; NOT sealed' if hand_ins.why_unsealed else ''}"
+    yield from _closest(hand_ins)
+    if len(hand_ins.rows) > 1 and (missed := hard(hand_ins)):
         yield "What was hard:"
         for name, _, answered, solved, hints in missed:
             yield f"  {name}: {solved} of {answered} solved"
             yield from (f"    {count} × {hint}" for hint, count in hints[:3])
 
 
-def _closest(found: Class) -> Iterator[str]:
+def _closest(hand_ins: Class) -> Iterator[str]:
     """Compare the vehicles of those who have solved an exercise, the one that stayed closest to its line first."""
-    for name in found.exercises:
-        solved = [row for row in found.rows if name in row.verdicts and row.verdicts[name].solved]
+    for name in hand_ins.exercises:
+        solved = [row for row in hand_ins.rows if name in row.verdicts and row.verdicts[name].solved]
         drives = sorted((off, row.name) for row in solved if (off := row.off(name)) is not None)
         if len(drives) > 1:
             yield f"{name}, largest deviation: {', '.join(f'{off:g} m ({who})' for off, who in drives)}"
@@ -87,26 +87,26 @@ def _line(row: Row) -> str:
     return f"{row.name}{late}: {row.solved} of {len(row.answers)} solved{rest}{f'; {row.note}' if row.note else ''}"
 
 
-def as_csv(found: Class) -> list[list[str | int]]:
+def as_csv(hand_ins: Class) -> list[list[str | int]]:
     """Return the table: a row for each student, a column for each exercise, and then one for each reason."""
-    names = found.exercises
-    driven = [name for name in names if any(row.off(name) is not None for row in found.rows)]
+    names = hand_ins.exercises
+    driven = [name for name in names if any(row.off(name) is not None for row in hand_ins.rows)]
     head = ["name", "student ID", "sent by", "sender ID", "late", "file", "note", "date"]
     head += ["same browser as", "same name in another browser", "sealed", "answers", "solved"]
     rows: list[list[str | int]] = [
         [*head, *names, *(f"{name}: why" for name in names), *(f"{name}: off (m)" for name in driven)]
     ]
-    for row, others, namesakes in found.beside():
+    for row, others, namesakes in hand_ins.beside():
         verdicts = [row.verdicts.get(name) for name in names]
         sent = [row.sender, row.sender_id, "late" if row.late else ""]
         about = [row.name, row.student, *sent, row.file, row.note, row.when, ", ".join(others), ", ".join(namesakes)]
-        about.append("NO" if found.why_unsealed else "yes")
+        about.append("NO" if hand_ins.why_unsealed else "yes")
         said = [each.verdict if each else "" for each in verdicts]
         said += [each.why if each else "" for each in verdicts]
         offs = ("" if (off := row.off(name)) is None else f"{off:g}" for name in driven)
         rows.append([*about, len(row.answers), row.solved, *said, *offs])
-    noted = {row.file for row in found.rows if row.note}
-    rows += [["", "", "", "", "", file, f"refused: {why}"] for file, why in found.refused if file not in noted]
+    noted = {row.file for row in hand_ins.rows if row.note}
+    rows += [["", "", "", "", "", file, f"refused: {why}"] for file, why in hand_ins.refused if file not in noted]
     return [[*row, *[""] * (len(rows[0]) - len(row))] for row in rows]
 
 
@@ -132,14 +132,14 @@ def _is_unseen(letter: str) -> bool:
     return letter in _UNSEEN or is_selector or unicodedata.category(letter)[0] in "CZ"
 
 
-def as_data(found: Class) -> dict[str, Any]:
+def as_data(hand_ins: Class) -> dict[str, Any]:
     """Return all that is known, for JSON."""
     return {
-        "sealed": not found.why_unsealed,
-        "warning": say_unsealed(found),
+        "sealed": not hand_ins.why_unsealed,
+        "warning": say_unsealed(hand_ins),
         "students": [
             {
-                "sealed": not found.why_unsealed,
+                "sealed": not hand_ins.why_unsealed,
                 "name": row.name,
                 "student": row.student,
                 "sender": row.sender,
@@ -154,27 +154,27 @@ def as_data(found: Class) -> dict[str, Any]:
                     for name, verdict in row.verdicts.items()
                 },
             }
-            for row in found.rows
+            for row in hand_ins.rows
         ],
-        "refused": [{"file": file, "why": why} for file, why in found.refused],
-        "notes": found.notes,
-        "hard": [each._asdict() | {"hints": dict(each.hints)} for each in hard(found)],
+        "refused": [{"file": file, "why": why} for file, why in hand_ins.refused],
+        "notes": hand_ins.notes,
+        "hard": [each._asdict() | {"hints": dict(each.hints)} for each in hard(hand_ins)],
     }
 
 
-def say_unsealed(found: Class) -> str:
+def say_unsealed(hand_ins: Class) -> str:
     """Say that the answers were not sealed; nothing if they were."""
-    if not found.why_unsealed:
+    if not hand_ins.why_unsealed:
         return ""
-    why = found.why_unsealed[0].upper() + found.why_unsealed[1:]
+    why = hand_ins.why_unsealed[0].upper() + hand_ins.why_unsealed[1:]
     return f"The answers were NOT sealed: each ran with all of your rights. ({why}.)"
 
 
-def say_python(found: Class) -> str:
+def say_python(hand_ins: Class) -> str:
     """Say so if answers were no Python to this one, and could be to the page's."""
     if sys.version_info >= PAGE_PYTHON:
         return ""
-    count = sum(" is not Python: " in verdict.why for row in found.rows for verdict in row.verdicts.values())
+    count = sum(" is not Python: " in verdict.why for row in hand_ins.rows for verdict in row.verdicts.values())
     if not count:
         return ""
     mine, page = (".".join(map(str, version)) for version in (sys.version_info[:2], PAGE_PYTHON))

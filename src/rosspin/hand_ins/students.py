@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..exercises import EXERCISES, Verdict
-from .archives import Found, find
+from .archives import FoundFile, find
 from .files import MOST_PLAIN, HandIn, Refused, plain, read
 
 __all__ = ["Class", "Room", "Row"]
@@ -78,7 +78,7 @@ class Row:
         return verdict.off if verdict else None
 
 
-class _Owner(NamedTuple):
+class _Student(NamedTuple):
     """Whose a file is, by the names of its folders and of itself: whoever ``sent`` it, or the folder that it is in.
 
     ``rest`` is what the student called the file, ``version`` how often it was handed in before.
@@ -92,9 +92,9 @@ class _Owner(NamedTuple):
     version: int = 0
 
     @property
-    def person(self) -> _Owner:
+    def person(self) -> _Student:
         """Who the student is: equal for all files of one student."""
-        return _Owner(self.name, self.id, self.sent)
+        return _Student(self.name, self.id, self.sent)
 
     @property
     def key(self) -> tuple[str, ...]:
@@ -110,7 +110,7 @@ class _Owner(NamedTuple):
 # What is said of a file for which there is no room.
 _FULL = "this table has {room}; rosspin judge, on your computer, takes more"
 
-_Part = tuple[Found, _Owner, HandIn]
+_Part = tuple[FoundFile, _Student, HandIn]
 
 
 class Class:
@@ -141,43 +141,43 @@ class Class:
 
     def add(self, path: Path, step: Callable[[], None] = lambda: None) -> None:
         """Read a file, a folder or an archive. Raises OSError if there is none such. ``step`` is called for each."""
-        found = []
+        files = []
         for each in find(path):
-            found.append(each)
+            files.append(each)
             step()
-        self.take(found, _name_of(path), str(path))
+        self.take(files, _name_of(path), str(path))
 
-    def take(self, found: Sequence[Found], name: str, place: str) -> None:
+    def take(self, files: Sequence[FoundFile], name: str, place: str) -> None:
         """Take what was found in one ``place``. Whose it is if nothing else says it, says its ``name``."""
-        skipped = len(os.path.commonprefix([file.parts[:-1] for file in found]))
-        top = _folder(found[0].parts[0]) if skipped else name
-        loose: dict[_Owner, list[_Part]] = {}
-        left: list[tuple[_Owner, Found, str]] = []
-        having: set[_Owner] = set()
-        for file in found:
+        skipped = len(os.path.commonprefix([file.parts[:-1] for file in files]))
+        top = _folder(files[0].parts[0]) if skipped else name
+        loose: dict[_Student, list[_Part]] = {}
+        left: list[tuple[_Student, FoundFile, str]] = []
+        having: set[_Student] = set()
+        for file in files:
             folder = _folder(file.parts[skipped]) if len(file.parts) > skipped + 1 else top
-            owner = _sender(file.parts) or _Owner(folder)
+            student = _sender(file.parts) or _Student(folder)
             try:
                 if file.why:
                     raise Refused(file.why)
-                hand_in = read(owner.rest or file.parts[-1], file.data)
+                hand_in = read(student.rest or file.parts[-1], file.data)
             except Refused as refused:
-                left.append((owner.person, file, str(refused)))
+                left.append((student.person, file, str(refused)))
                 continue
-            if owner.sent or owner.name != top or not hand_in.name:
-                having.add(owner.person)
+            if student.sent or student.name != top or not hand_in.name:
+                having.add(student.person)
             if hand_in.name:
-                key = owner.key if owner.sent else ("", hand_in.name, hand_in.id)
-                sent = owner.sender, owner.id, owner.late
+                key = student.key if student.sent else ("", hand_in.name, hand_in.id)
+                sent = student.sender, student.id, student.late
                 row = Row(hand_in.name, plain(file.path), hand_in.student, *sent, hand_in.id, hand_in.date)
                 row.answers = dict(hand_in.answers)
                 self._take(row, key)
             else:
-                loose.setdefault(owner.person, []).append((file, owner, hand_in))
-        for owner, parts in loose.items():
-            self._take_loose(owner, parts, place)
-        for owner, file, why in left:
-            self._leave(owner, file, why, having, "" if owner.sent else top)
+                loose.setdefault(student.person, []).append((file, student, hand_in))
+        for student, parts in loose.items():
+            self._take_loose(student, parts, place)
+        for student, file, why in left:
+            self._leave(student, file, why, having, "" if student.sent else top)
 
     def _take(self, row: Row, key: tuple[str, ...]) -> None:
         """Of one student's files the newest counts; of two without a date, the later one."""
@@ -199,10 +199,10 @@ class Class:
         used = len(others) + 1, sum(map(len, others)) + len(answers), len({*answers}.union(*others))
         return all(number <= most for number, most in zip(used, self._room, strict=True))
 
-    def _take_loose(self, owner: _Owner, parts: Sequence[_Part], place: str) -> None:
+    def _take_loose(self, student: _Student, parts: Sequence[_Part], place: str) -> None:
         """Make one hand-in of the node files and notebooks of one student."""
         parts = sorted(parts, key=lambda part: (part[1].version, _by_size(part[0].path)))
-        row = Row(plain(owner.name) or "(no name)", plain(parts[0][0].path), "", owner.sender, owner.id)
+        row = Row(plain(student.name) or "(no name)", plain(parts[0][0].path), "", student.sender, student.id)
         row.late = any(each.late for _, each, _ in parts)
         came: dict[str, str] = {}
         for file, _, hand_in in parts:
@@ -213,7 +213,7 @@ class Class:
                 came[exercise], row.answers[exercise] = file.path, text
         if len(parts) > 1:
             row.file += f" and {len(parts) - 1} more"
-        key = owner.key if owner.sent else (*owner.key, place)
+        key = student.key if student.sent else (*student.key, place)
         if before := self._rows.get(key):
             # The file that the site saved has the last word.
             row = replace(before, answers=row.answers | before.answers)
@@ -233,17 +233,17 @@ class Class:
             more = self.number_refused - _MOST_REFUSED
             self.refused[_MOST_REFUSED:] = [("...", f"{more} more files, for such reasons")]
 
-    def _leave(self, owner: _Owner, file: Found, why: str, having: Collection[_Owner], top: str) -> None:
+    def _leave(self, student: _Student, file: FoundFile, why: str, having: Collection[_Student], top: str) -> None:
         """Refuse what holds no answers. Whatever else lies next to someone's answers does not matter."""
         name = file.parts[-1]
-        if owner in having and not (name.startswith("rosspin-answers") or name.endswith(".zip")):
+        if student in having and not (name.startswith("rosspin-answers") or name.endswith(".zip")):
             return
         self._refuse(plain(file.path), why)
-        if owner not in having and owner.name != top and _Owner(top) not in having:
+        if student not in having and student.name != top and _Student(top) not in having:
             # A student is missed in the table, whatever was handed in. What lies among answers is no student's folder.
-            row = Row(plain(owner.name), plain(file.path), "", owner.sender, owner.id, note=f"refused: {why}")
-            if self._has_room(owner.key, ()):
-                self._rows.setdefault(owner.key, row)
+            row = Row(plain(student.name), plain(file.path), "", student.sender, student.id, note=f"refused: {why}")
+            if self._has_room(student.key, ()):
+                self._rows.setdefault(student.key, row)
 
     def beside(self) -> list[tuple[Row, list[str], list[str]]]:
         """Return the rows, each with some other names from the same browser, and files of the same name from others."""
@@ -269,17 +269,17 @@ def _few(names: Iterable[str]) -> list[str]:
     return [*found[:_MOST_NAMES], f"{more} more"] if more > 0 else found
 
 
-def _sender(parts: Sequence[str]) -> _Owner | None:
+def _sender(parts: Sequence[str]) -> _Student | None:
     """Find out from the names of its folders, and from its own, who sent a file; None if they do not say it."""
     for part in parts:
         is_last, folder = part is parts[-1], _folder(part)
         if match := _MOODLE.fullmatch(folder) or _GRADESCOPE.fullmatch(folder):
-            return _Owner(match["name"], match["id"], sent=True, rest=match["rest"] if is_last else "")
+            return _Student(match["name"], match["id"], sent=True, rest=match["rest"] if is_last else "")
         # Canvas has no folders, whose names could be anything.
         if (is_last or folder != part) and (match := _CANVAS.fullmatch(folder)):
             version = re.search(r"-(\d+)\.\w+$", part)
             number, rest = int(version[1]) if version else 0, match["rest"] if is_last else ""
-            return _Owner(match["name"], match["id"], True, bool(match["late"]), rest, number)
+            return _Student(match["name"], match["id"], True, bool(match["late"]), rest, number)
     return None
 
 
