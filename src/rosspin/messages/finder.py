@@ -26,7 +26,7 @@ class MessageFinder(MetaPathFinder, Loader):
     ``sys.modules``, and what was there before is put back. When the context is entered again, these modules change
     places once more.
 
-    ``messages`` makes and holds the classes: ``finder.messages["std_msgs/UInt32"]``; ``found`` are the packages that
+    ``messages`` makes and holds the classes: ``finder.messages["std_msgs/UInt32"]``; ``packages`` are those that
     were imported through this finder.
     """
 
@@ -41,7 +41,7 @@ class MessageFinder(MetaPathFinder, Loader):
 
             self.messages = ros2.Messages(self.library)
         self._hidden: dict[str, ModuleType] = {}
-        self.found: set[str] = set()
+        self.packages: set[str] = set()
         self._modules: dict[str, ModuleType] = {}  # what those packages consist of
 
     def __enter__(self) -> MessageFinder:
@@ -56,11 +56,11 @@ class MessageFinder(MetaPathFinder, Loader):
         # looked up: a run that imports no message does not need the library.
         names = [name.split(".") for name in list(sys.modules) if ".msg" in name or ".srv" in name or ".action" in name]
         packages = {package for package, module, *_ in names if module in FOLDERS}
-        return _take({package for package in packages if self._is_ours(package)} | self.found)
+        return _take({package for package in packages if self._is_ours(package)} | self.packages)
 
     def __exit__(self, *_: object) -> None:
         sys.meta_path.remove(self)
-        self._modules = _take(self.found)
+        self._modules = _take(self.packages)
         sys.modules.update(self._hidden)
 
     def _is_ours(self, module: str) -> bool:
@@ -72,7 +72,7 @@ class MessageFinder(MetaPathFinder, Loader):
         package, *rest = fullname.split(".")
         if not self._is_ours(fullname):
             return None if rest else self._modules_of(package)
-        self.found.add(package)
+        self.packages.add(package)
         if not rest:
             return self._package(package)
         folder, *modules = rest
@@ -102,7 +102,7 @@ class MessageFinder(MetaPathFinder, Loader):
             return None
         if (other := PathFinder.find_spec(name)) and other.origin:  # without one, it is any folder of that name
             return None
-        self.found.add(name)
+        self.packages.add(name)
         return spec
 
     def _class_modules(self, package: str, folder: str) -> dict[str, str]:
@@ -127,9 +127,9 @@ class MessageFinder(MetaPathFinder, Loader):
                 raise AttributeError(f"module {module.__name__!r} has no attribute {name!r}")
             full_name = f"{package}/{name}"
             is_whole = folder != "msg" and name in whole
-            found = self.messages.whole(folder, full_name) if is_whole else self.messages[full_name]
-            setattr(module, name, found)
-            return found
+            made = self.messages.whole(folder, full_name) if is_whole else self.messages[full_name]
+            setattr(module, name, made)
+            return made
 
         vars(module).update(__getattr__=find, __all__=names, __dir__=lambda: sorted({*vars(module), *names}))
 

@@ -282,7 +282,7 @@ class Host:
     def _is_own(self, name: str, process: Slots) -> bool:
         package = name.partition(".")[0]
         return package in _ROOTS or (
-            isinstance(process, Process) and (package in process.imports.found or process.owns(sys.modules[name]))
+            isinstance(process, Process) and (package in process.imports.packages or process.owns(sys.modules[name]))
         )
 
     def _patches(self) -> list[Patch]:

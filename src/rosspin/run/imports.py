@@ -44,9 +44,9 @@ class Imports(MetaPathFinder):
             hidden(MessageFinder(2, folder_of(node)).hide())
 
     @property
-    def found(self) -> set[str]:
+    def packages(self) -> set[str]:
         """The packages of messages that were imported."""
-        return self._finder.found
+        return self._finder.packages
 
     @property
     def messages(self) -> Any:
@@ -80,7 +80,7 @@ class Imports(MetaPathFinder):
         return None
 
     def _find_ros(self, fullname: str, ros: int) -> ModuleSpec | None:
-        if self._finder.library.ros != ros and self._finder.found:
+        if self._finder.library.ros != ros and self._finder.packages:
             raise ImportError(
                 f"messages of ROS {self._finder.library.ros} were imported before {fullname}", name=fullname
             )
@@ -112,7 +112,7 @@ class Imports(MetaPathFinder):
                 setattr(sys.modules[parent], child, module)
 
     def _finder_of(self, ros: int) -> MessageFinder:
-        if self._finder.library.ros != ros and not self._finder.found:
+        if self._finder.library.ros != ros and not self._finder.packages:
             self._finder = self._new_finder(ros)
         return self._finder
 

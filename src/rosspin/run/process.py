@@ -148,7 +148,7 @@ class Process(Slots):
 
         They are its own, too: in the next run the same names would mean other objects. So is all of their package.
         """
-        roots = {name.partition(".")[0] for name in own} | self.imports.found | set(ROS[self.world.ros or 1].roots)
+        roots = {name.partition(".")[0] for name in own} | self.imports.packages | set(ROS[self.world.ros or 1].roots)
         left = {name for name in names if name.partition(".")[0] not in _COMMON}
         count = -1
         while count != len(roots):
