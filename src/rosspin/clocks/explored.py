@@ -72,7 +72,7 @@ class Order:
         self.acts: set[int] | None = None  # the steps of a test after which it may act early; None: all of them
         self.acted: set[int] = set()  # those after which it did something to a node, before it looked at anything
         self._steps = 0
-        self._ends: list[int] = []  # the steps at whose end the test could continue first, once for each time
+        self._test_steps: list[int] = []  # the steps at whose end the test could continue first, once for each time
         self._unseen: int | None = None  # the newest step, unless the test has looked at what came of it
         self._decide = decide
         self._known: set[Hashable] = set()  # what there was to choose among
@@ -110,15 +110,15 @@ class Order:
             self.acted.add(self._unseen)
 
     @property
-    def ends(self) -> list[int]:
+    def test_points(self) -> list[int]:
         """The points of a test's steps at which the test, too, may be next: below 0, the first of them is -1."""
         steps = self.acted if self.acts is None else self.acts
-        return [-number for number, step in enumerate(self._ends, 1) if step in steps]
+        return [-number for number, step in enumerate(self._test_steps, 1) if step in steps]
 
     def lets_test_go_on(self, due: Hashable, now: int) -> bool:
         """Whether a test continues at a time (ns) before something that is due then, the end of its step."""
-        self._ends.append(self._steps)
-        point = -len(self._ends)
+        self._test_steps.append(self._steps)
+        point = -len(self._test_steps)
         if self._decide:
             is_open = self.acts is not None and self._steps in self.acts
             choice = self._decide(point, [due, _TEST]) if is_open else 0
@@ -155,7 +155,7 @@ class Order:
             if self.made.get(point) != choice:
                 at = f"{_name(point)}.{choice}"
                 there = (
-                    f"a test's step has {len(self._ends)} points at which the test could continue first"
+                    f"a test's step has {len(self._test_steps)} points at which the test could continue first"
                     if point < 0
                     else f"{self.options[point]} things can happen next"
                     if point < len(self.options)
@@ -207,7 +207,7 @@ class ExploredSimulation(Simulation):
         self._collect(now)
         if not (self._due and self._is_open):
             return
-        others = [entry for entry in self._due if entry[2].owner is me.owner]
+        others = [entry for entry in self._due if entry[2].own_program is me.own_program]
         if others and not self._has_waited_enough(others[0]):
             if choice := self.order.choose([me, *(stack for _, _, stack in others)], now):
                 self._due.remove(others[choice - 1])
@@ -227,7 +227,7 @@ class ExploredSimulation(Simulation):
 
     @property
     def _is_open(self) -> bool:
-        return not (self._closed or self.main.owner.interrupted)
+        return not (self._closed or self.main.own_program.interrupted)
 
     def _next(self) -> Due | None:
         self._drop_cancelled()
@@ -304,13 +304,13 @@ def _now(due: Due) -> Due:
 
 def name_of(stack: Stack) -> str:
     """The name of a thread, of several nodes after its node's; a main one has its node's or file's."""
-    owner = stack.owner
-    node = owner.name or owner.file
-    if stack is owner.main:
+    program = stack.own_program
+    node = program.name or program.file
+    if stack is program.main:
         return node or "MainThread"
-    thread = threading._active.get(stack.ident) or owner.active.get(stack.ident)  # type: ignore[attr-defined]
+    thread = threading._active.get(stack.ident) or program.active.get(stack.ident)  # type: ignore[attr-defined]
     name = str(thread.name) if thread else "a thread"
-    return name if owner.main is stack.clock.main or not node else f"{node}: {name}"
+    return name if program.main is stack.clock.main or not node else f"{node}: {name}"
 
 
 def _say(option: Hashable) -> str:

@@ -144,7 +144,7 @@ def press_ctrl_c(program: Program) -> None:
 def where_it_waits(program: Program) -> list[Whereabouts]:
     """Where the threads of a simulated program are."""
     stacks = program.main.clock.suspended()
-    return [_whereabouts(stack.ident, stack.trail) for stack in stacks if stack.ident and stack.owner is program]
+    return [_whereabouts(stack.ident, stack.trail) for stack in stacks if stack.ident and stack.own_program is program]
 
 
 def ignores_ctrl_c(program: Program) -> bool:

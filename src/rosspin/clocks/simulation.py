@@ -235,7 +235,7 @@ class Simulation:
         """End all stacks of a program, wherever they are; the caller's, too, unless ``spare_me``."""
         me = current()
         assert isinstance(me, Stack)
-        self._to_end.append((program, me if spare_me or me.owner is not program else None))
+        self._to_end.append((program, me if spare_me or me.own_program is not program else None))
         self._home.switch()
 
     def at(self, when: int, function: Callable[[], object]) -> None:
@@ -438,11 +438,11 @@ class Simulation:
     def _end(self, program: Program, spared: Stack | None) -> None:
         """Do, from home, what ``end`` was asked for."""
         program.over = True
-        self._throw_exit([stack for stack in self._stacks if stack.owner is program and stack is not spared])
+        self._throw_exit([stack for stack in self._stacks if stack.own_program is program and stack is not spared])
         self._closed = False
         for function in program.at_end:
             self.start(function, Program(), "")
-        self._keep(lambda stack: stack.owner is not program)
+        self._keep(lambda stack: stack.own_program is not program)
         if spared:
             spared.switch()
 

@@ -89,7 +89,7 @@ else:
 class Stack(Switched):
     """A stack of a program on a simulated clock.
 
-    It belongs to ``owner`` and acts for ``program``, which is another program only within :func:`acting_for`.
+    It belongs to ``own_program`` and acts for ``program``, which is another program only within :func:`acting_for`.
     ``ident`` is its ``threading.get_ident()``; ``place`` is the line that started it, as ``file:line``.
     """
 
@@ -100,7 +100,7 @@ class Stack(Switched):
         "interrupt",
         "lock",
         "needs",
-        "owner",
+        "own_program",
         "place",
         "polled",
         "polls",
@@ -115,7 +115,7 @@ class Stack(Switched):
     ) -> None:
         super().__init__(function, home)
         self.clock = clock
-        self.owner = self.program = program
+        self.own_program = self.program = program
         self.ident = ident
         self.place = place
         self.ticket = 0  # the number of its wake-up, while it waits with a time limit

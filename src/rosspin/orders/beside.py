@@ -47,18 +47,18 @@ def _step(turn: Turn, several: bool) -> Step:
     return Step(turn.thread, where, linecache.getline(turn.filename, turn.line).strip())
 
 
-def side_by_side(found: Orders) -> Iterator[str]:
+def side_by_side(orders: Orders) -> Iterator[str]:
     """Yield lines that show an order next to the usual one: their instants, and their consoles."""
-    for instant in found.instants:
+    for instant in orders.instants:
         for usually, here in instant.deviations:
             yield f"  at {instant.time:.10g} s usually {usually}, here {here}"
-    for instant in [each for each in found.instants if each.differs is not None][:_INSTANTS]:
+    for instant in [each for each in orders.instants if each.differs is not None][:_INSTANTS]:
         rows = list(zip_longest(map(_say, instant.usual), map(_say, instant.here), fillvalue=""))
         start = max((instant.differs or 0) - 2, 0)
         yield from _table(f"at {instant.time:.10g} s", rows[start : start + _LINES])
         if len(rows) > start + _LINES:
             yield f"  ... and {len(rows) - start - _LINES} more lines at this time"
-    consoles = [run.console.splitlines() if run else [] for run in (found.usual, found.here)]
+    consoles = [run.console.splitlines() if run else [] for run in (orders.usual, orders.here)]
     lines = zip_longest(*consoles, fillvalue="nothing more")
     for one, other in islice((row for row in lines if row[0] != row[1]), 1):
         yield from ("", "the first line in which the consoles differ", f"  usually  {one}", f"  here     {other}")

@@ -298,7 +298,7 @@ def compare_orders(
 
 
 @dataclasses.dataclass
-class Found:
+class SearchResult:
     """What a search has found: the ``order`` that fails, if any does."""
 
     order: Order | None
@@ -323,13 +323,15 @@ def one_by_one(attempt: Try) -> TryAll:
     return lambda orders: (Tried(order, attempt(order), order.forget()) for order in orders)
 
 
-def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool, trying: TryAll) -> Found:
+def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool, trying: TryAll) -> SearchResult:
     """Try orders until one fails, and make that one shorter."""
     usual = Order(deep=deep)
     if failure := attempt(usual):
-        return Found(usual, failure, 1, 0, "the usual order")
-    if not (usual.options or usual.ends):
-        return Found(None, failure, 1, math.inf, "There is only one order: nothing is open at any instant. It is well.")
+        return SearchResult(usual, failure, 1, 0, "the usual order")
+    if not (usual.options or usual.test_points):
+        return SearchResult(
+            None, failure, 1, math.inf, "There is only one order: nothing is open at any instant. It is well."
+        )
     different, points, threads, tried, bound = {_USUAL[deep]}, len(usual.options), 0, 1, 0.0
     for batch in STRATEGIES[strategy](usual, seed, deep):
         left = schedules - tried
@@ -339,9 +341,10 @@ def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool, t
                 shortest, failure = _shorten(attempt, order, failure, usual)
                 if not (shortest.made and attempt(Order(shortest.made, deep=deep))):
                     said = "the usual order, but not each time: the node, or the test, does not do the same in each run"
-                    return Found(shortest, failure, tried, 0, said)
+                    return SearchResult(shortest, failure, tried, 0, said)
                 times = f"which deviates {_times(len(shortest.made))} from the usual one"
-                return Found(shortest, failure, tried, 0, f"the shortest order found, {times}, after {tried} orders")
+                said = f"the shortest order found, {times}, after {tried} orders"
+                return SearchResult(shortest, failure, tried, 0, said)
             different.add(order.token)
             points, threads = max(points, len(order.options)), max(threads, known)
         if len(batch) > left:
@@ -350,7 +353,7 @@ def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool, t
             break
     else:
         bound = math.inf
-    return Found(None, failure, tried, bound, _all_well(strategy, tried, len(different), bound, threads, points))
+    return SearchResult(None, failure, tried, bound, _all_well(strategy, tried, len(different), bound, threads, points))
 
 
 def _all_well(strategy: str, tried: int, different: int, bound: float, threads: int, points: int) -> str:
@@ -405,7 +408,7 @@ def _shorten(attempt: Try, order: Order, failure: object, usual: Order) -> tuple
             if any(fails({point: choice}) for choice in range(1, options)):
                 break
         else:
-            any(fails({point: 1}) for point in usual.ends)
+            any(fails({point: 1}) for point in usual.test_points)
     return best
 
 

@@ -43,10 +43,10 @@ def fewest_first(usual: Order, seed: int, deep: bool) -> Iterator[list[Order]]:
 def _once_more(before: Order, deep: bool) -> Iterator[Order]:
     """Yield the orders that deviate once more than one that was run, later in the run."""
     last = max(before.made, default=-1)
-    ends = [point for point in before.ends if last < 0 and point < min(before.made, default=0)]
+    test_points = [point for point in before.test_points if last < 0 and point < min(before.made, default=0)]
     points = range(last + 1, len(before.options))
     choices = [(point, choice) for point in points for choice in range(1, before.options[point])]
-    for point, choice in (*((point, 1) for point in ends), *choices):
+    for point, choice in (*((point, 1) for point in test_points), *choices):
         yield Order({**before.made, point: choice}, deep=deep)
 
 

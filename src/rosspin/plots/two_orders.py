@@ -24,7 +24,7 @@ _LINE = 16  # of text, in points
 _CHARACTERS = 50  # of such a line on a phone
 
 
-def orders(found: Orders, *, caption: str | None = None, ax: Axes | None = None) -> Axes:
+def orders(both: Orders, *, caption: str | None = None, ax: Axes | None = None) -> Axes:
     """Plot an order that :func:`rosspin.explore` has found below the usual one, step by step, where they differ.
 
     Each order has a row for each thread. A mark is a line of the node, with its number; a bar continues for as long as
@@ -33,14 +33,14 @@ def orders(found: Orders, *, caption: str | None = None, ax: Axes | None = None)
 
     Raises ValueError if no lines are known, as of functions, or if all of them are the same.
     """
-    shown, left = _windows(found.instants)
+    shown, left = _windows(both.instants)
     if not shown:
         raise ValueError("the two orders have no lines that differ")
     threads = list(dict.fromkeys(step.thread for window in shown for column in window.steps for step in column if step))
     gap = sum(len(window.parting) for window in shown) * _LINE / ROW + 0.2
     caption = "simulated" if caption is None else caption
     alt = " ".join(_describe_orders(window) for window in shown)
-    with pictures.drawing(ax, f"Two orders of one run, step by step. {alt}", caption, _orders_height(found)) as ax:
+    with pictures.drawing(ax, f"Two orders of one run, step by step. {alt}", caption, _orders_height(both)) as ax:
         places = {
             (panel, thread): panel * (len(threads) + gap) + number
             for panel in range(len(_PANELS))
@@ -72,23 +72,23 @@ def orders(found: Orders, *, caption: str | None = None, ax: Axes | None = None)
     return ax
 
 
-def both_orders(found: Orders, *, caption: str | None = None) -> Figure:
+def both_orders(both: Orders, *, caption: str | None = None) -> Figure:
     """Draw two orders on one timeline, with the times at which they part, and :func:`orders` below that.
 
     One of both is left out if there is nothing to show in it. The figure is unknown to pyplot. Raises ValueError if
     there is nothing at all.
     """
     caption = "simulated" if caption is None else caption
-    runs = {name: run for name, run in zip(_PANELS, (found.usual, found.here), strict=True) if run}
+    runs = {name: run for name, run in zip(_PANELS, (both.usual, both.here), strict=True) if run}
     ticks = {name: run.ticks for name, run in runs.items()}
     heights, is_timed = [], any(ticks.values())
     rows = [make_row(name, group, None, ()) for name, group in ticks.items()]
-    marks = [(round(each.time, 6), 0.0) for each in found.instants if each.deviations]
+    marks = [(round(each.time, 6), 0.0) for each in both.instants if each.deviations]
     parts = [Row("where this order deviates", "", [], [], marks)]
     if is_timed:
         heights.append(height_of([*rows, *parts]))
-    if _windows(found.instants)[0]:
-        heights.append(_orders_height(found))
+    if _windows(both.instants)[0]:
+        heights.append(_orders_height(both))
     if not heights:
         raise ValueError("there are no ticks to plot, and no lines that differ")
     axes = pictures.new_column(heights)
@@ -98,7 +98,7 @@ def both_orders(found: Orders, *, caption: str | None = None) -> Figure:
         ends = [run.seconds for run in runs.values()]
         draw_rows(rows, None, len(rows), alt, caption, axes[0], ends, parts)
     if len(heights) > is_timed:
-        orders(found, caption=caption, ax=axes[-1])
+        orders(both, caption=caption, ax=axes[-1])
     return pictures.figure_of(axes[0])
 
 
@@ -142,8 +142,8 @@ def _windows(instants: Sequence[Instant]) -> tuple[list[_Window], str]:
     return shown, f"\n{left:,} more step{'s' * (left != 1)} not drawn" if left else ""
 
 
-def _orders_height(found: Orders) -> int:
-    shown, left = _windows(found.instants)
+def _orders_height(both: Orders) -> int:
+    shown, left = _windows(both.instants)
     threads = {step.thread for window in shown for column in window.steps for step in column if step}
     lines = sum(len(window.parting) for window in shown)
     return round((2 * len(threads) + 0.2) * ROW) + (lines + bool(left)) * _LINE + AXIS

@@ -77,7 +77,7 @@ class StepsSeen(Watcher):
             return None
         stack = current()
         if self._several and isinstance(stack, Stack):
-            return name_of(stack) if stack.owner.tells else None
+            return name_of(stack) if stack.own_program.tells else None
         return threading.current_thread().name
 
     @property
@@ -91,7 +91,7 @@ class StepsSeen(Watcher):
     def _before(self, when: int) -> None:
         if when > self.clock.now() and not self._is_full and (running := self._running()) is not None:
             verb = "is" if len(running) == 1 else "are"
-            is_told = all(stack.owner.tells for stack in self.clock.suspended())
+            is_told = all(stack.own_program.tells for stack in self.clock.suspended())
             what = "No callback runs" if is_told else "No callback in Python runs"
             if running:
                 what = f"{self._say(running)} {verb} at work"
@@ -110,7 +110,7 @@ class StepsSeen(Watcher):
         """Find for each thread its number, the callback in it and its line."""
         for stack in self.clock.suspended():
             if self._several:
-                name = stack.owner.tells and stack.owner.name and name_of(stack)
+                name = stack.own_program.tells and stack.own_program.name and name_of(stack)
             else:
                 name = getattr(threading._active.get(stack.ident), "name", "")  # type: ignore[attr-defined]
             if not name:
