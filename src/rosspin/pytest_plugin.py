@@ -48,19 +48,19 @@ class _StartNode:
         from .run.simulate import with_jitter
         from .run.steps import start_in_order
 
-        started = start_in_order(self.order, self._found(node), args, parameters, with_jitter(faults, jitter))
+        started = start_in_order(self.order, self._resolved(node), args, parameters, with_jitter(faults, jitter))
         self._started.append(self._stack.enter_context(started))
         return started
 
-    def _found(self, node: Any) -> Any:
+    def _resolved(self, node: Any) -> Any:
         """Return a node, or several, whose relative paths are relative to the folder of the test's file."""
         if isinstance(node, (list, tuple)):
-            return [self._found(each) for each in node]
+            return [self._resolved(each) for each in node]
         if isinstance(node, (str, os.PathLike)):
             return os.path.normpath(self._folder / os.fspath(node))
         from .run.roslaunch.launch import Node
 
-        return dataclasses.replace(node, node=self._found(node.node)) if isinstance(node, Node) else node
+        return dataclasses.replace(node, node=self._resolved(node.node)) if isinstance(node, Node) else node
 
     def end(self) -> None:
         """End the nodes now, as the fixture does after the test. Raises what that finds."""

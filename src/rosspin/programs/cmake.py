@@ -50,17 +50,17 @@ def companions(package: Path, source: Path) -> list[Path]:
     own.sort(key=lambda target: not target.is_program)
     if not own:
         return []
-    found = dict.fromkeys(_all(own[0], targets, set()))
+    sources = dict.fromkeys(_all(own[0], targets, set()))
     # Components of a library are programs of their own.
-    return [file for file in found if file != source and file.is_file() and not _COMPONENT.search(_text(file))]
+    return [file for file in sources if file != source and file.is_file() and not _COMPONENT.search(_text(file))]
 
 
-def _all(target: _Target, targets: Mapping[str, _Target], seen: set[str]) -> Iterator[Path]:
+def _all(target: _Target, targets: Mapping[str, _Target], visited: set[str]) -> Iterator[Path]:
     yield from target.sources
     for name in target.links:
-        if name in targets and name not in seen:
-            seen.add(name)
-            yield from _all(targets[name], targets, seen)
+        if name in targets and name not in visited:
+            visited.add(name)
+            yield from _all(targets[name], targets, visited)
 
 
 def _read(package: Path) -> tuple[dict[str, _Target], dict[str, tuple[str, str]]]:
@@ -105,7 +105,7 @@ def _expanded(given: str, variables: Mapping[str, Sequence[str]]) -> Iterator[st
             if whole := re.fullmatch(r"\$\{(\w+)\}", word):
                 yield from variables.get(whole[1], [])
             else:
-                yield re.sub(r"\$\{(\w+)\}", lambda found: ";".join(variables.get(found[1], [])), word)
+                yield re.sub(r"\$\{(\w+)\}", lambda match: ";".join(variables.get(match[1], [])), word)
 
 
 def _inside(word: str) -> str:

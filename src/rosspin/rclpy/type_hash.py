@@ -74,21 +74,21 @@ class TypeHash:
 
 def hash_of(data_class: Any) -> TypeHash:
     """The hash of a message's class: of its fields and of all messages in it, not of comments or defaults."""
-    found: dict[str, Any] = {}
-    _describe(data_class, found)
-    own = found.pop(kind_of(data_class))
+    descriptions: dict[str, Any] = {}
+    _describe(data_class, descriptions)
+    own = descriptions.pop(kind_of(data_class))
     text = json.dumps(
-        {"type_description": own, "referenced_type_descriptions": [found[name] for name in sorted(found)]}
+        {"type_description": own, "referenced_type_descriptions": [descriptions[name] for name in sorted(descriptions)]}
     )
     return TypeHash(1, hashlib.sha256(text.encode()).digest())
 
 
-def _describe(data_class: Any, found: dict[str, Any]) -> str:
+def _describe(data_class: Any, descriptions: dict[str, Any]) -> str:
     """Describe a class and the classes of messages in it, by their names. Return its name."""
     name = kind_of(data_class)
-    if name not in found:
+    if name not in descriptions:
         fields: list[Any] = []
-        found[name] = {"type_name": name, "fields": fields}
+        descriptions[name] = {"type_name": name, "fields": fields}
         # One without fields has one that no one sees.
         types = data_class.get_fields_and_field_types() or {"structure_needs_at_least_one_member": "uint8"}
         for field, kind in types.items():
@@ -104,7 +104,7 @@ def _describe(data_class: Any, found: dict[str, Any]) -> str:
                 "type_id": number,
                 "capacity": int(match["bound"] or match["length"] or 0),
                 "string_capacity": size,
-                "nested_type_name": "" if base in _TYPES else _describe(_class(base), found),
+                "nested_type_name": "" if base in _TYPES else _describe(_class(base), descriptions),
             }
             fields.append({"name": field, "type": type_})
     return name

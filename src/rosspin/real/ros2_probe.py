@@ -51,16 +51,16 @@ def _tell_done(source, number, real):
     _tell("done", source, number, time.time_ns() - real)
 
 
-def _after(owner, name, then):
+def _after(target, name, then):
     """Replace a method by one that then also calls ``then``, with the same arguments."""
-    real = getattr(owner, name)
+    real = getattr(target, name)
 
     def method(*args, **kwargs):
         result = real(*args, **kwargs)
         then(*args, **kwargs)
         return result
 
-    setattr(owner, name, method)
+    setattr(target, name, method)
 
 
 def _node_made(node, *args, **kwargs):

@@ -29,7 +29,7 @@ def as_test(
         imports[:0] = ["import re", ""]
     else:
         source = _COOKIE.sub(r"\1utf-8", source)
-    seen = _grid(ticks) or "\n".join(["[", *(f"        {_seen(tick)!r}," for tick in ticks), "    ]"])
+    expected = _grid(ticks) or "\n".join(["[", *(f"        {_fields(tick)!r}," for tick in ticks), "    ]"])
     return "\n".join(
         [
             f"# {filename} still does what it did. Run this with pytest, where rosspin {able}.",
@@ -44,14 +44,14 @@ def as_test(
             '    node.write_text(NODE, encoding="utf-8")',
             f"    run = simulate(node.name, {seconds!r}{words})",
             "    assert run.status == 0",
-            f"    assert [(tick.source, tick.number, tick.expected, tick.real) for tick in run.ticks] == {seen}",
+            f"    assert [(tick.source, tick.number, tick.expected, tick.real) for tick in run.ticks] == {expected}",
             f"    assert {shown} == {_text(console, '    ')}",
             "",
         ]
     )
 
 
-def _seen(tick: Tick) -> tuple[str, int, float, float]:
+def _fields(tick: Tick) -> tuple[str, int, float, float]:
     return tick.source, tick.number, tick.expected, tick.real
 
 
@@ -62,7 +62,7 @@ def _grid(ticks: Sequence[Tick]) -> str:
     source, last = ticks[0].source, len(ticks)
     for time in (f"{ticks[0].expected!r} * n", f"round({ticks[0].expected!r} * n, 9)"):
         grid = f"[({source!r}, n, {time}, {time}) for n in range(1, {last + 1})]"
-        if eval(grid) == [_seen(tick) for tick in ticks]:
+        if eval(grid) == [_fields(tick) for tick in ticks]:
             return grid
     return ""
 

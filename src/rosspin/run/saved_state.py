@@ -91,12 +91,12 @@ class Saved(NamedTuple):
 class _Names:
     """The attributes of a module, a class or an object with a ``__dict__``. ``values`` is a live view of them."""
 
-    def __init__(self, owner: Any) -> None:
-        self._owner = owner
-        self.values: Collection[Any] = vars(owner).values()
+    def __init__(self, holder: Any) -> None:
+        self._holder = holder
+        self.values: Collection[Any] = vars(holder).values()
 
     def copy(self) -> dict[str, Any]:
-        return dict(vars(self._owner))
+        return dict(vars(self._holder))
 
     def put(self, noted: dict[str, Any]) -> Put:
         """Put back what was noted. Returns what redoes the changes."""
@@ -109,43 +109,43 @@ class _Names:
 
         def put(values: dict[str, Any]) -> None:
             for name in changed:
-                _set(self._owner, name, values.get(name, _MISSING))
+                _set(self._holder, name, values.get(name, _MISSING))
 
         put(noted)
         return lambda: put(here)
 
     def _is_submodule(self, name: str, value: Any) -> bool:
-        return isinstance(self._owner, ModuleType) and sys.modules.get(f"{self._owner.__name__}.{name}") is value
+        return isinstance(self._holder, ModuleType) and sys.modules.get(f"{self._holder.__name__}.{name}") is value
 
 
-def _set(owner: Any, name: str, value: Any) -> None:
-    if isinstance(owner, type):
+def _set(holder: Any, name: str, value: Any) -> None:
+    if isinstance(holder, type):
         if value is not _MISSING:
-            type.__setattr__(owner, name, value)
-        elif name in vars(owner):
-            type.__delattr__(owner, name)
+            type.__setattr__(holder, name, value)
+        elif name in vars(holder):
+            type.__delattr__(holder, name)
     elif value is not _MISSING:
-        vars(owner)[name] = value
+        vars(holder)[name] = value
     else:
-        vars(owner).pop(name, None)
+        vars(holder).pop(name, None)
 
 
 class _Content:
     """The content of a list, a dictionary or a set of a stand-in, with the methods of :class:`_Names`."""
 
-    def __init__(self, owner: Any) -> None:
-        self._owner = owner
-        self.values: Collection[Any] = owner.values() if isinstance(owner, dict) else owner
+    def __init__(self, holder: Any) -> None:
+        self._holder = holder
+        self.values: Collection[Any] = holder.values() if isinstance(holder, dict) else holder
 
     def copy(self) -> Any:
-        return self._owner.copy()
+        return self._holder.copy()
 
     def put(self, noted: Any) -> Put:
         here = self.copy()
 
         def put(values: Any) -> None:
-            self._owner.clear()
-            (self._owner.extend if isinstance(self._owner, list) else self._owner.update)(values)
+            self._holder.clear()
+            (self._holder.extend if isinstance(self._holder, list) else self._holder.update)(values)
 
         put(noted)
         return lambda: put(here)
@@ -155,43 +155,43 @@ class _AllNames:
     """All that is saved of the stand-ins and the standard library, as far as their modules have been imported."""
 
     def __init__(self) -> None:
-        self._loaded = 0  # how many modules there were when the owners were last looked for
-        self._owners: dict[int, _Names | _Content] = {}  # by the identity of the object they describe
+        self._loaded = 0  # how many modules there were when the holders were last looked for
+        self._holders: dict[int, _Names | _Content] = {}  # by the identity of the object they describe
         self._views: list[Iterable[Any]] = []
-        self._values: list[Any] = []  # of all owners, as last noted
+        self._values: list[Any] = []  # of all holders, as last noted
         self._noted: list[Any] = []
 
     def state(self) -> Undo:
         """Note what there is, at little cost if nothing has changed since the last time."""
         if self._loaded != len(sys.modules):
-            self._find_owners()
+            self._find_holders()
         if not _are_same(self._views, self._values):
             self._values = list(chain.from_iterable(self._views))
-            self._noted = [owner.copy() for owner in self._owners.values()]
+            self._noted = [holder.copy() for holder in self._holders.values()]
         views, values, noted = self._views, self._values, self._noted
 
         def put() -> Put:
             if _are_same(views, values):
                 return _nothing
             redo = []
-            for owner, each in zip(self._owners.values(), noted, strict=False):  # new owners come last
-                now, then = owner.values, each.values() if isinstance(each, dict) else each
+            for holder, each in zip(self._holders.values(), noted, strict=False):  # new holders come last
+                now, then = holder.values, each.values() if isinstance(each, dict) else each
                 if len(now) != len(then) or not all(map(is_, now, then)):
-                    redo.append(owner.put(each))
+                    redo.append(holder.put(each))
             return lambda: _call(redo)
 
         return put
 
-    def _find_owners(self) -> None:
+    def _find_holders(self) -> None:
         self._loaded = len(sys.modules)
-        before = len(self._owners)
+        before = len(self._holders)
         stand_ins = [name for name in sys.modules if name.startswith(_STAND_INS)]
         for name in (*stand_ins, *_LIBRARY, *_LIBRARY_WITH_CLASSES):
             module = sys.modules.get(name)
-            if isinstance(module, ModuleType) and id(module) not in self._owners:
-                self._owners |= {id(owner): kept for owner, kept in _owners_in(name, module)}
-        if len(self._owners) != before:
-            self._views = [*(owner.values for owner in self._owners.values()), _END]
+            if isinstance(module, ModuleType) and id(module) not in self._holders:
+                self._holders |= {id(holder): kept for holder, kept in _holders_in(name, module)}
+        if len(self._holders) != before:
+            self._views = [*(holder.values for holder in self._holders.values()), _END]
 
 
 def _are_same(views: list[Iterable[Any]], values: list[Any]) -> bool:
@@ -199,7 +199,7 @@ def _are_same(views: list[Iterable[Any]], values: list[Any]) -> bool:
     return bool(values) and all(map(is_, chain.from_iterable(views), values))
 
 
-def _owners_in(name: str, module: ModuleType) -> Iterator[tuple[Any, _Names | _Content]]:
+def _holders_in(name: str, module: ModuleType) -> Iterator[tuple[Any, _Names | _Content]]:
     """Yield a module, the classes that it defines and, of a stand-in, also its objects and containers."""
     yield module, _Names(module)
     if name in _LIBRARY:
@@ -211,9 +211,9 @@ def _owners_in(name: str, module: ModuleType) -> Iterator[tuple[Any, _Names | _C
     homes = ("rosspin.", "rospy", "rclpy", "genpy")
     own = [each for each in classes if each.__module__.startswith(homes)]
     yield from ((each, _Names(each)) for each in own)
-    owners: list[Any] = [module, *own]
-    for owner in owners:
-        for key, value in dict(vars(owner)).items():
+    holders: list[Any] = [module, *own]
+    for holder in holders:
+        for key, value in dict(vars(holder)).items():
             if type(value) in (list, dict, set) and key not in _OF_PYTHON:
                 yield value, _Content(value)
             elif type(value).__module__.startswith(homes) and hasattr(value, "__dict__"):

@@ -97,7 +97,7 @@ class Scenes(StepsSeen):
             task = next(task for task, each, _ in executor._tasks if each is entity and task.executing())
             late = self.clock.now() - entity._rosspin_expected if isinstance(entity, Timer) else 0
             how = f", {late / NS:g} s late" if late > 0 else ""
-            if isinstance(_owner(entity), Rate):
+            if isinstance(_bound_to(entity), Rate):
                 how += ". That sets the event for which the loop sleeps"
         self._calls.append(_Call(entity, executor, current(), task))
         self._note(f"{here} calls {self._say([entity])}{how}.", self._begin(_callback(entity)))
@@ -160,7 +160,7 @@ class Scenes(StepsSeen):
         return f" of {', '.join(node.get_fully_qualified_name() for node in nodes)}" if self._several else ""
 
     def _name(self, entity: Any) -> str:
-        if isinstance(_owner(entity), Rate):
+        if isinstance(_bound_to(entity), Rate):
             return "the Rate's timer"
         if isinstance(entity, Client):
             return f"the answer of {entity._rosspin.entry.topic}"
@@ -209,10 +209,10 @@ def _entities(executor: Executor) -> list[Any]:
     found = [waitable for node in nodes for waitable in node._rosspin_waitables if waitable not in node._rosspin_events]
     for node in nodes:
         found += [*node._timers, *node._subscriptions, *node._guards, *node._clients]
-        found += [each for each in node._services if not isinstance(_owner(each), ParameterService)]
+        found += [each for each in node._services if not isinstance(_bound_to(each), ParameterService)]
     return found
 
 
-def _owner(entity: Any) -> Any:
+def _bound_to(entity: Any) -> Any:
     """Return what the callback is a method of."""
     return getattr(getattr(entity, "callback", None), "__self__", None)

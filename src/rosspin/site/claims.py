@@ -168,9 +168,9 @@ def _paragraphs(lines: list[str]) -> Iterator[str]:
             yield textwrap.shorten(block, _WIDTH, placeholder=" …") if prose else ""
 
 
-def report(found: Iterable[Stale]) -> str:
+def report(entries: Iterable[Stale]) -> str:
     """Write the list for the author, by page and line."""
-    stale = sorted(found, key=lambda entry: (entry.page, entry.line))
+    stale = sorted(entries, key=lambda entry: (entry.page, entry.line))
     parts = ["What follows no longer holds:"]
     for entry in stale:
         rows = {"text": entry.text, "was": entry.stands, "now": entry.now}

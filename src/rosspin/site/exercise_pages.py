@@ -136,7 +136,7 @@ def _page(
         links.append(f"<li>{each.link(each.title.partition('.')[0], more)}</li>")
     way = f'<nav class="exercise-way" aria-label="Exercises"><p>{back}, {number + 1} of {len(exercises)}</p>'
     places = {anchor: f"/exercises/{each.name}.html" for each in exercises for anchor in each.section["ids"]}
-    body = _LINK.sub(lambda found: f'{found[1]}="{_moved(found[2], home, places)}"', _render(app, alone))
+    body = _LINK.sub(lambda match: f'{match[1]}="{_moved(match[2], home, places)}"', _render(app, alone))
     own: dict[str, Any] = {"title": html.escape(exercise.title), "body": f"{way}<ol>{''.join(links)}</ol></nav>{body}"}
     own |= {"prev": around.get("prev"), "next": around.get("next"), "meta": {"html_theme.sidebar_secondary.remove": ""}}
     return f"exercises/{exercise.name}", {**own, "metatags": "", "toc": "", "display_toc": False, "parents": []}, alone

@@ -36,13 +36,13 @@ def moved_vector(compose: Compose, stamped: Any, vector: Any) -> Transform:
     return moved(compose, stamped, vector)
 
 
-def set_vector(vector: Any, found: Transform) -> None:
+def set_vector(vector: Any, transform: Transform) -> None:
     """Put a place into a point or a vector."""
-    vector.x, vector.y, vector.z = found.translation
+    vector.x, vector.y, vector.z = transform.translation
 
 
-def set_pose(pose: Any, found: Transform) -> None:
+def set_pose(pose: Any, transform: Transform) -> None:
     """Put a place and a quaternion into a pose."""
-    set_vector(pose.position, found)
+    set_vector(pose.position, transform)
     turn = pose.orientation
-    turn.x, turn.y, turn.z, turn.w = found.rotation
+    turn.x, turn.y, turn.z, turn.w = transform.rotation

@@ -372,7 +372,7 @@ class _Reader:
         """Replace $(find PKG) and the like. Raises _Fault."""
         if text.startswith("$(eval "):
             raise _Fault("$(eval) is not simulated")
-        text = re.sub(r"\$\(([^()$]*)\)", lambda found: self._substitute(found[0], found[1].split(), scope), text)
+        text = re.sub(r"\$\(([^()$]*)\)", lambda match: self._substitute(match[0], match[1].split(), scope), text)
         if "$(" in text:
             raise _Fault(f"{text}: a substitution in another one, or one that is not closed")
         return text
