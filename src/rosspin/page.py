@@ -48,11 +48,11 @@ from .run.explain import TimeStandsStill, say_error, say_uncalled
 from .run.host import Result
 from .run.kinds import ROS, Ros, language_of
 from .run.kinds.cpp import Cpp
+from .run.noted_steps import NotedSteps
 from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
 from .run.simulate import run_node, run_nodes, several
 from .run.source import Code, code_of_program, load_source, split_words
-from .run.steps_seen import StepsSeen
 from .vehicle import VEHICLES
 from .vehicle.drawn import drawn
 from .vehicle.drives import NODE, Drive
@@ -562,9 +562,9 @@ class _Pacer:
     """
 
     def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str, ros: Ros, several: bool) -> None:
-        self.scenes: StepsSeen | None = None
+        self.scenes: NotedSteps | None = None
         if filename:
-            self.scenes = ros.steps_seen(ticks, filename, *([self._wait] if speed else []), several=several)
+            self.scenes = ros.noted_steps(ticks, filename, *([self._wait] if speed else []), several=several)
         paced = self.scenes.clock if self.scenes else PacedSimulation(self._wait) if speed else None
         self.simulation: Simulation = paced or Simulation()
         self._page = page

@@ -71,7 +71,7 @@ def in_script(code: str, given: Any) -> Any:
     head += f"Object.assign(globalThis, {json.dumps(defined())})\nconst given = JSON.parse(readFileSync(0))\n"
     body = f"const svg = await import({json.dumps((SCRIPTS / 'svg.js').as_uri())})\n"
     body += f"const measures = await import({json.dumps((SCRIPTS / 'measures.js').as_uri())})\n"
-    body += f"const seen = await import({json.dumps((SCRIPTS / 'seen.js').as_uri())})\n"
+    body += f"const series = await import({json.dumps((SCRIPTS / 'series.js').as_uri())})\n"
     command = [
         str(ROOT / ".venv/bin/node"),
         "--input-type=module",
@@ -129,7 +129,7 @@ def test_a_length_of_time_is_said_alike() -> None:
         *(0.03125, 0.0009765625, 0.15625, 2.125),
         *(10 ** drawn.uniform(-9, 6) for _ in range(300)),
     ]
-    assert in_script("given.map(time => seen.say(time))", times) == [say_time(time) for time in times]
+    assert in_script("given.map(time => series.say(time))", times) == [say_time(time) for time in times]
     assert say_time(0.0) == "0 s" and say_time(1234.0) == "1230 s"
 
 

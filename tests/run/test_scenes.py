@@ -8,11 +8,11 @@ from typing import Any
 import pytest
 
 from rosspin.clocks.simulation import Simulation
+from rosspin.run.noted_steps import NotedSteps, NotedThreads
 from rosspin.run.roslaunch.launch import Launch, Node
 from rosspin.run.scenes import Scenes
 from rosspin.run.simulate import run_node, run_nodes
 from rosspin.run.source import load
-from rosspin.run.steps_seen import StepsSeen, ThreadsSeen
 from rosspin.run.streams import capture
 from rosspin.world.graph import TickLog
 from tests.helpers.tree import EXAMPLES, TESTS
@@ -52,9 +52,9 @@ def written(folder: Path, text: str) -> Path:
 class Told:
     """The scenes of a run, with names in place of numbers."""
 
-    def __init__(self, path: Path, seconds: float, *others: Path, seen: type[StepsSeen] = Scenes) -> None:
+    def __init__(self, path: Path, seconds: float, *others: Path, kind: type[NotedSteps] = Scenes) -> None:
         log = TickLog()
-        scenes = seen(log, str(path), several=bool(others))
+        scenes = kind(log, str(path), several=bool(others))
         with capture() as console:
             if others:
                 nodes = Launch([Node(each) for each in (path, *others)])
@@ -138,7 +138,7 @@ def test_of_several_nodes_each_is_named() -> None:
 
 def test_of_several_nodes_of_ros_1_each_thread_is_named() -> None:
     folder = EXAMPLES / "my_robotics_pkg/src"
-    run = Told(folder / "publisher_py_node.py", 0.6, folder / "subscriber_py_node.py", seen=ThreadsSeen)
+    run = Told(folder / "publisher_py_node.py", 0.6, folder / "subscriber_py_node.py", kind=NotedThreads)
     assert [said for said in run.said if "calls" in said] == [
         "0.5: /publisher_py_node: Thread-1 calls timerCallback.",
         "0.5: /subscriber_py_node: /counter calls counterCallback.",
@@ -351,10 +351,10 @@ def test_a_long_run_keeps_its_first_steps() -> None:
 
 def threads_of(path: Path, seconds: float, *args: str) -> dict[str, Any]:
     log = TickLog()
-    seen = ThreadsSeen(log, str(path))
+    threads = NotedThreads(log, str(path))
     with capture():
-        status = run_node(load(path), seconds, args, seen.clock, log).status
-    return seen.data(status) or {}
+        status = run_node(load(path), seconds, args, threads.clock, log).status
+    return threads.data(status) or {}
 
 
 def test_each_timer_of_rospy_calls_in_its_own_thread() -> None:

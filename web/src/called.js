@@ -1,4 +1,4 @@
-// What a C++ node of one thread does, step by step, as its ticks tell it: see rosspin/run/steps_seen.py.
+// What a C++ node of one thread does, step by step, as its ticks tell it: see rosspin/run/noted_steps.py.
 
 /** @typedef {import("./protocol.js").Tick} Tick */
 

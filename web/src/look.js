@@ -5,7 +5,7 @@ import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { SIGN, pack, unpack } from "./log-link.js"
 import { find, here, make, save } from "./make.js"
 import { IS_IT_THERE, load, notHere, warmUp } from "./python.js"
-import { HEIGHT, WIDTH, chosen, describe, dots, driftOf, nameOf, part, rateOf, rowsIn, say } from "./seen.js"
+import { HEIGHT, WIDTH, chosen, describe, dots, driftOf, nameOf, part, rateOf, rowsIn, say } from "./series.js"
 import { COLOURS, MARGIN, draw, drawTimeline, percent } from "./svg.js"
 
 const base = new URL("../live/", here()).href

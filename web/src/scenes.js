@@ -1,4 +1,4 @@
-// What a stepper shows: the scenes of a run, as rosspin/run/steps_seen.py has noted them. No drawing is done here.
+// What a stepper shows: the scenes of a run, as rosspin/run/noted_steps.py has noted them. No drawing is done here.
 
 /** @typedef {import("./protocol.js").Scenes} Scenes */
 

@@ -17,7 +17,7 @@ from ..rclpy.parameter_service import ParameterService
 from ..rclpy.services import Client
 from ..rclpy.task import Task
 from ..rclpy.timer import Rate, Timer
-from .steps_seen import StepsSeen, code_of
+from .noted_steps import NotedSteps, code_of
 
 __all__ = ["Scenes"]
 
@@ -49,7 +49,7 @@ class _Asked:
         return any(not task.cancelled() for task in self.tasks)
 
 
-class Scenes(StepsSeen):
+class Scenes(NotedSteps):
     """The steps of a run of ROS 2, in which a step is noted whenever an executor does something or the time passes.
 
     Executors and nodes live no longer because they are seen.

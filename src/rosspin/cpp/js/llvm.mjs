@@ -128,8 +128,8 @@ class World {
   }
 
   get view() {
-    if (this.seen?.buffer !== this.memory.buffer) this.seen = new DataView(this.memory.buffer)
-    return this.seen
+    if (this.dataView?.buffer !== this.memory.buffer) this.dataView = new DataView(this.memory.buffer)
+    return this.dataView
   }
 
   bytes(at, length) {

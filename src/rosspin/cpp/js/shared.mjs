@@ -19,8 +19,8 @@ export class Shared {
   }
 
   get #view() {
-    if (this.seen?.buffer !== this.memory.buffer) this.seen = new DataView(this.memory.buffer, this.at)
-    return this.seen
+    if (this.dataView?.buffer !== this.memory.buffer) this.dataView = new DataView(this.memory.buffer, this.at)
+    return this.dataView
   }
 
   get now() {

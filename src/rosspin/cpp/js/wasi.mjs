@@ -146,8 +146,8 @@ export class Program {
   }
 
   get #view() {
-    if (this.seen?.buffer !== this.memory.buffer) this.seen = new DataView(this.memory.buffer)
-    return this.seen
+    if (this.dataView?.buffer !== this.memory.buffer) this.dataView = new DataView(this.memory.buffer)
+    return this.dataView
   }
 
   #words(words, list, buffer) {

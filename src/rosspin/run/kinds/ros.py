@@ -71,7 +71,7 @@ class Ros(ABC):
         return self.stand_in.Rate
 
     @property
-    def steps_seen(self) -> Any:
+    def noted_steps(self) -> Any:
         """The class of the steps of its nodes, as a page shows them. ROS 2's loads rclpy."""
         module, _, name = self._steps.partition(".")
         return getattr(import_module(f"rosspin.run.{module}"), name)

@@ -29,4 +29,4 @@ class Ros1(Ros):
     words = Words("rospy.is_shutdown()", "rospy.sleep(0.1)", "rospy.spin()")
     killed_as = ", as roslaunch does"
     also_threads = " (a rospy.Timer is one, too)"
-    _steps = "steps_seen.ThreadsSeen"
+    _steps = "noted_steps.NotedThreads"

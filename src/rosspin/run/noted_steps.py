@@ -17,14 +17,14 @@ from ..clocks.stacks import Stack, Switched, current
 from ..world.graph import TickLog
 from ..world.watcher import Watcher
 
-__all__ = ["StepsSeen", "ThreadsSeen", "code_of"]
+__all__ = ["NotedSteps", "NotedThreads", "code_of"]
 
 # How many steps are kept, the first ones, and of a node with how many callbacks at most.
 _MOST = 300
 _MOST_CALLBACKS = 30
 
 
-class StepsSeen(Watcher):
+class NotedSteps(Watcher):
     """The steps of a run, in which a step is noted whenever something is told or the time passes.
 
     The run has to be on :attr:`clock`, and to record its ticks in ``log``. Lines are of the file ``filename``.
@@ -147,7 +147,7 @@ class StepsSeen(Watcher):
         return code.co_firstlineno if code and code.co_filename == self._filename else 0
 
 
-class ThreadsSeen(StepsSeen):
+class NotedThreads(NotedSteps):
     """The steps of a run of ROS 1, where each timer, and each topic, calls back in a thread of its own."""
 
     def __init__(self, *args: Any, **more: Any) -> None:

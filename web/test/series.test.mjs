@@ -5,7 +5,7 @@ import { test } from "node:test"
 
 import "./rules.mjs"
 
-import { HEIGHT, WIDTH, chosen, describe, dots, driftOf, nameOf, part, rateOf, rowsIn, say } from "../src/seen.js"
+import { HEIGHT, WIDTH, chosen, describe, dots, driftOf, nameOf, part, rateOf, rowsIn, say } from "../src/series.js"
 
 const times = Array.from({ length: 100 }, (_, n) => n / 10).filter((time) => time < 5 || time > 5.45)
 const TIMER = {
