@@ -40,6 +40,7 @@ class Beats(Language):
 
 class _Beating:
     ros = 1
+    warnings = ""
 
     def __init__(self, path: str, text: str) -> None:
         self.path = path
