@@ -116,14 +116,14 @@ LISTINGS = sorted(EXAMPLES.rglob("*.cpp"))
 ANSWERS: list[tuple[str, Any]] = [(name, answer) for name, lesson in IN_CPP.items() for answer in (None, *lesson.right)]
 
 
-@pytest.mark.shares(9)
+@pytest.mark.shares(27)
 @pytest.mark.parametrize("file", [*LISTINGS, *SCENARIOS], ids=lambda file: file.stem)
 def test_no_node_of_a_page_and_no_scenario_is_warned_of(file: Path) -> None:
     """But for one that passes a function in place of a truth value, and tells what comes of that."""
     assert bool(build(file).warnings) == (file.stem == "ros1_graph")
 
 
-@pytest.mark.shares(9)
+@pytest.mark.shares(27)
 @pytest.mark.parametrize(("name", "answer"), ANSWERS)
 def test_no_right_answer_is_warned_of(name: str, answer: Any) -> None:
     lesson = IN_CPP[name]

@@ -80,7 +80,7 @@ def test_an_answer_is_compiled_judged_and_kept_besides_that_in_python(
 
 def test_what_never_ends_is_stopped(opened: Page, address: str) -> None:
     cell = in_cpp(opened, address)
-    check(cell, IN_CPP[NAME].written({"counter_++;": "for (;;) counter_++;"}))
+    check(cell, IN_CPP[NAME].written({"counter_++;": "for (volatile int i = 0;; i++) {}"}))
     cell.ends("running")
     cell.button("Stop").click()
     expect(cell.status).to_have_text(re.compile("^stopped"))
