@@ -39,6 +39,51 @@ def test_the_listings_of_pages(name: str, tmp_path: Path) -> None:
     assert result["lost"] == []
 
 
+IN_THREADS = """\
+#include <mutex>
+#include <ros/ros.h>
+#include <thread>
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "node");
+  std::mutex one, two;
+  auto lock = [](std::mutex& first, std::mutex& second)
+  {
+    first.lock();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    SECOND;
+  };
+  std::thread other(lock, std::ref(one), std::ref(two));
+  lock(two, one);
+  other.join();
+}
+"""
+
+
+@pytest.mark.parametrize(("second", "names"), [("second.lock()", [["thread 1", "main"]]), ("first.unlock()", [])])
+def test_of_threads_nothing_but_a_deadlock_is_drawn(tmp_path: Path, second: str, names: list[list[str]]) -> None:
+    file = tmp_path / "threads.cpp"
+    file.write_text(IN_THREADS.replace("SECOND", second), encoding="utf-8")
+    ((_, result),) = in_page(file, [(1.0, "")], tmp_path)
+    scenes = result["scenes"]
+    assert (scenes is None) is (not names)
+    assert names == [[name for name, _ in ring["links"]] for ring in (scenes or {"rings": []})["rings"]]
+
+
+@pytest.mark.parametrize("length", [20, 300])
+def test_a_run_in_one_thread_can_be_gone_through_however_its_callback_is_called(tmp_path: Path, length: int) -> None:
+    name = "x" * length
+    file = tmp_path / "named.cpp"
+    file.write_text(
+        (EXAMPLES / "my_robotics_pkg/src/spinner_cpp_node.cpp")
+        .read_text(encoding="utf-8")
+        .replace("timerCallback", name)
+    )
+    ((_, result),) = in_page(file, [(1.0, "")], tmp_path)
+    assert result["scenes"]["callbacks"] == [[name[:200], 0]]
+    assert all(len(said) <= 500 for _, said, *_ in result["scenes"]["steps"])
+
+
 READS = """\
 #include "ros/ros.h"
 int main()

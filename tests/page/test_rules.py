@@ -15,6 +15,7 @@ from rosspin.hand_ins.on_page import ROOM
 from rosspin.measures import describe_timeline, lost_by_source, say_time
 from rosspin.plots import layout
 from rosspin.results.ticks import Tick
+from rosspin.run import noted_steps
 from rosspin.site.rules import defined
 from tests.helpers.tree import ROOT
 
@@ -32,6 +33,10 @@ BOTH: list[tuple[str, str, str | int]] = [
     ("protocol.js", r"threads: list\(SENTENCE, (\w+)\)", "_MOST"),
     ("protocol.js", r"rings: list\(.*, (\w+)\),\n", "_MOST_RINGS"),
     ("protocol.js", r"chunks: list\(list\(integer\(\), (\w+)\)", "_MOST_CHUNKS"),
+    ("cpp.js", r"const MOST_CHUNKS = (\w+)", "_MOST_CHUNKS"),
+    ("cpp.js", r"const MOST_RINGS = (\w+)", "_MOST_RINGS"),
+    ("called.js", r"const MOST = (\w+)", noted_steps._MOST),
+    ("called.js", r"const MOST_CALLBACKS = (\w+)", noted_steps._MOST_CALLBACKS),
     ("limits.js", r"SHOWN = .*ticks: (\w+)", "_MOST_TICKS"),
 ]
 

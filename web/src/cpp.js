@@ -120,6 +120,19 @@ class Shown {
 }
 
 /**
+ * What the reader can go through, or is drawn of a deadlock. No tick tells in which of several threads it is.
+ *
+ * @param {Alone} node
+ * @param {number} end
+ * @param {number} status
+ * @returns {import("./protocol.js").Scenes | null}
+ */
+function scenes({ hasThreads, ticks, rings }, end, status) {
+  if (!hasThreads) return called(ticks.map(([source, ...rest]) => [source.slice(0, NAME), ...rest]), end, status)
+  return rings.length ? { threads: [], groups: [], callbacks: [], steps: [], rings: rings.slice(0, MOST_RINGS) } : null
+}
+
+/**
  * Run a node; what came of it.
  *
  * @param {CppJob} job
@@ -164,9 +177,7 @@ async function run({ bytes, ros, filename, seconds, args, speed }, page) {
       .slice(-SHOWN.ticks),
     chunks: ticks.map((_, place) => (shown.chunks.get(first + place) ?? []).filter((chunk) => chunk >= shown.count - LAST_CHUNKS)),
     end: Math.min(end, seconds),
-    scenes: node.hasThreads
-      ? { threads: [], groups: [], callbacks: [], steps: [], rings: node.rings.slice(0, MOST_RINGS) } // no tick tells its thread
-      : called(node.ticks, Math.min(end, seconds), status),
+    scenes: scenes(node, Math.min(end, seconds), status),
     alternative: groups
       .slice(0, MOST_SOURCES)
       .map(({ source, group, gone }) => describe(source, group) + (gone.length ? ` Lost ticks: ${gone.length}.` : ""))

@@ -232,7 +232,7 @@ void tell_ring()
   do
   {
     const Thread* holder = holder_of(each);
-    if (!holder || links.size() > 100)
+    if (!holder || links.size() == 100)  // a page draws no more
       return;
     std::string waits = "waits for a lock that " + (holder == each ? "it" : name_of(holder)) + " holds";
     said += "rosspin:   " + name_of(each) + " " + waits + "\n";

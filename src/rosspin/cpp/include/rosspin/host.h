@@ -14,7 +14,8 @@
 
 // What the host reads and writes here, in this order (see js/shared.mjs): the time, what the system's clock is ahead of
 // it, until when the program is alone; whether it has told something, so that the host has to be asked; how often it has
-// looked; and the ticks, as many as were not told yet, and the number of the first of these.
+// looked; the ticks, as many as were not told yet; how many callbacks wait for someone to spin, -1 if someone has; and the
+// number of the first of those ticks.
 struct RosspinTick
 {
   std::int32_t source, number;
