@@ -563,9 +563,11 @@ def test_a_loop_that_only_names_ros_ok_does_not_end(write: Write) -> None:
     assert "MainThread" not in run.console
 
 
-def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("loop", ["for (volatile int i = 0;; i++) {}", "bool done = false;\n  while (!done) {}"])
+def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.MonkeyPatch, loop: str) -> None:
+    """Even one that does nothing, which C++ lets a compiler leave out."""
     monkeypatch.setattr("rosspin.cpp.nodejs._MOST", 0.5)
-    node = write('#include "ros/ros.h"\nint main()\n{\n  for (volatile int i = 0;; i++) {}\n}\n', "node.cpp")
+    node = write(f'#include "ros/ros.h"\nint main()\n{{\n  {loop}\n}}\n', "node.cpp")
     with pytest.raises(TimeStandsStill, match=r"node\.cpp: simulated time stands still at 0\.0 s, because the node"):
         simulate(node, 1.0)
 

@@ -52,6 +52,8 @@ _FLAGS += ["-D_WASI_EMULATED_SIGNAL", "-D_WASI_EMULATED_PROCESS_CLOCKS", "-D_WAS
 # As g++ without options, a number that is narrowed, a `register`, and a function that lacks its return are let pass.
 _FLAGS_NODE = ["-fsanitize=null", "-fsanitize-trap=null", "-ferror-limit=5"]
 _FLAGS_NODE += ["-Wno-c++11-narrowing", "-Wno-register", "-fno-strict-return"]
+# C++ lets a compiler take it that a loop comes to its end. A node that hangs in one has to hang here, too.
+_FLAGS_NODE += ["-fno-finite-loops"]
 _QUIET = ["-w"]  # for what is ours
 # What is asked for of a node besides what clang warns of by itself; of all that, faults.WARNINGS are shown.
 _WARNINGS = ["-Iown", *(f"-W{group}" for group in WARNINGS)]

@@ -52,6 +52,11 @@ class Programs:
             self._lent.pop().end()
 
     @property
+    def computes(self) -> bool:
+        """Whether one of them still computes what nobody waits for."""
+        return any(each.computes for each in self._lent)
+
+    @property
     def files(self) -> list[int]:
         """The numbers of the files by which a child talks with them."""
         return [file for each in self._lent for file in (each.stdin.fileno(), each.stdout.fileno())]
@@ -87,6 +92,7 @@ class _Lent:
         self._process.stdin.close()
         self._process.stdout.close()
         self.back: Any = lambda: None
+        self.computes = False
 
     def end(self) -> None:
         self._process.kill()
@@ -98,7 +104,11 @@ class _Lent:
         return None
 
     def kill(self) -> None:
-        self.back()  # it gives up what it does when it is asked for something else
+        if not self.computes:
+            self.back()  # it gives up what it waits for when it is asked for something else
+
+    def send_signal(self, number: int) -> None:
+        self.computes = True  # until the worker ends it
 
     def __enter__(self) -> _Lent:
         return self

@@ -55,6 +55,9 @@ _THREADS = 256
 # How often (s) a worker looks how many files there are.
 _LOOK = 0.05
 
+# How a child ends that has done its job, and has left a program that still computes.
+_COMPUTES = 3
+
 _PR_SET_PDEATHSIG = 1
 _CAPABILITIES_3 = 0x20080522
 _OWN = 3  # a child's end of the pipe to the judge
@@ -101,9 +104,12 @@ def work(given: Mapping[str, Any], own_path: list[str]) -> NoReturn:
             _guard(child, folder)
         _, status = os.waitpid(child, 0)
         as_before = "as before" if _state(given["results"]) == before else "changed"
-        if status:
+        ended = os.waitstatus_to_exitcode(status)
+        if ended:
             cpp.end()
-        os.write(_STATUS, f"{os.waitstatus_to_exitcode(status)} {as_before}\n".encode())
+        if is_cpp and ended == _COMPUTES:
+            ended = 0
+        os.write(_STATUS, f"{ended} {as_before}\n".encode())
     os._exit(0)
 
 
@@ -145,7 +151,7 @@ def _do(given: Mapping[str, Any], size: int, cpp: Programs | None) -> NoReturn:
             _send(_done(json.loads(job)))
     except BaseException:
         os._exit(1)
-    os._exit(0)
+    os._exit(_COMPUTES if cpp and cpp.computes else 0)
 
 
 def _read(file: int, size: int) -> bytes:

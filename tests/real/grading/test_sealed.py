@@ -128,6 +128,7 @@ IN_A_PROGRAM = {
     'std::printf("{\\"status\\":0,\\"log\\":[],\\"now\\":\\"0\\"}\\n");  // as its host says it',
     "the stack": "std::function<int(int)> f = [&](int n) { return f(n + 1) + 1; }; std::exit(f(0));",
     "memory": "for (;;) std::memset(std::malloc(1 << 20), 1, 1 << 20);",
+    "a loop": "for (;;) {}",
     "no end at Ctrl-C": "signal(SIGINT, SIG_IGN); for (;;) rclcpp::sleep_for(std::chrono::seconds(1));",
 }
 ABOVE = {
@@ -159,6 +160,7 @@ def test_no_attack_in_cpp_gets_in(user: str, folder: Path) -> None:
     tried = {name: answers[f"{name} 1"] for name in attacks}
     assert {name: got_in(answer["said"]) for name, answer in tried.items()} == dict.fromkeys(attacks, [])
     assert {name for name, answer in tried.items() if answer["solved"]} == {"what there is"}
+    assert "simulated time stands still" in tried["a loop"]["why"]
     assert not obeyed and "TOPSECRET" not in json.dumps(found)
 
 
