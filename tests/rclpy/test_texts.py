@@ -120,9 +120,11 @@ def look(function):
         print(str(error).partition(" (")[0])
 def node():
     from rclpy.node import Depth
+def executors():
+    from rclpy.executors import Depth
 def tf2():
     from tf2_ros import Depth
-for each in Node.get_parameter, lambda: rclpy.qos.Depth, node, tf2:
+for each in Node.get_parameter, lambda: rclpy.qos.Depth, node, executors, tf2:
     look(each)
 """
 
@@ -134,5 +136,6 @@ def test_errors_name_modules_and_methods_as_rclpy_does(tmp_path: Path) -> None:
         "Node.get_parameter() missing 2 required positional arguments: 'self' and 'name'",
         "module 'rclpy.qos' has no attribute 'Depth'",
         "cannot import name 'Depth' from 'rclpy.node'",
+        "cannot import name 'Depth' from 'rclpy.executors'",
         "cannot import name 'Depth' from 'tf2_ros'",
     ]

@@ -98,7 +98,8 @@ class Imports(MetaPathFinder):
         if name == ROS[ros].roots[0]:
             return ROS[ros].stand_in.for_process()  # type: ignore[no-any-return]
         module = modules[name]
-        _NAMES.setdefault(module, name)
+        own = module.__spec__.name.removeprefix("rosspin.") if module.__spec__ else name
+        _NAMES.setdefault(module, own if own in modules else name)  # rclpy.executors is rclpy.guard_condition, too
         module.__class__ = _StandIn
         return module
 
