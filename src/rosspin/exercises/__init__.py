@@ -85,7 +85,7 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
     if not whole:
         findings.append(Finding(False, _CUT, _LESS))
     first = next((finding.hint for finding in findings if not finding.right), "")
-    hint = (console and first) or early or first or exercise.hint(answer)
+    hint = given.hint_for_uncalled() or (console and first) or early or first or exercise.hint(answer)
     return Feedback(exercise.number, tuple(findings), hint, console, whole=whole, drive=_first_run(outcomes).drive)
 
 

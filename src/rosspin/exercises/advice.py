@@ -69,7 +69,7 @@ def not_found(error: BaseException, text: str) -> str:
             return f"{lacking(error)} No exercise needs it."
         return "Is the module spelt right? No exercise needs others than ROS's and Python's own."
     if isinstance(error, ImportError):
-        return f"Is the name spelt right, and is it in that module? `{error.name}` is there."
+        return _home(error) or f"Is the name spelt right, and is it in that module? `{error.name}` is there."
     if isinstance(error, NameError):
         if error.name in _CONSTANTS:
             return f"In Python this is written `{_CONSTANTS[error.name]}`."
@@ -89,6 +89,19 @@ def not_found(error: BaseException, text: str) -> str:
     if isinstance(error, ZeroDivisionError):
         return "This line divides by 0. In Python `1 // 10` and `int(0.5)` are 0, and False counts as 0, too."
     return ""
+
+
+def _home(error: ImportError) -> str:
+    """Say from where of ROS a name is imported that another module lacks, or which it has instead; else empty."""
+    found = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", str(error))
+    if not found:
+        return ""
+    modules = getattr(sys.modules.get(f"rosspin.{found[2].partition('.')[0]}"), "MODULES", {})
+    for name, module in modules.items():
+        if getattr(vars(module).get(found[1]), "__module__", "") == name:
+            return f"It is in another module: `from {name} import {found[1]}`."
+    near = get_close_matches(found[1], vars(modules[found[2]]) if found[2] in modules else (), 1, 0.8)
+    return f"`{found[2]}` has a `{near[0]}`. Is it that?" if near else ""
 
 
 def _lacks(error: AttributeError) -> str:
@@ -224,6 +237,8 @@ def _on_messages(error: BaseException) -> str:
         return "The fields of a message are given by their names, as in `UInt32(data=5)`."
     if isinstance(error, AssertionError) and said.startswith("The 'result' field must be"):
         return "The callback that executes a goal has to return a result: `return Fibonacci.Result(sequence=numbers)`."
+    if isinstance(error, TypeError) and re.search("not supported between instances of .*'Duration'", said):
+        return "A difference of two times is a `Duration`, and is compared with one: 0.5 s is `Duration(seconds=0.5)`."
     if (isinstance(error, AssertionError) and "field must be" in said) or "SerializationE" in type(error).__name__:
         return "A field of a message takes values of its own type only. One for whole numbers takes no text."
     return ""
@@ -281,6 +296,8 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
     if isinstance(error, TypeError) and module.endswith(".executors"):
         if "not callable" in str(error):
             return "Pass the callback itself, without calling it: self.timer_callback, not self.timer_callback()."
+        if re.search(r"\w\.\w+\(\) takes 0 positional arguments", str(error)):
+            return "Its first parameter is the node, since it is a method: def timer_callback(self)."
         if "positional argument" in str(error):
             return _PASSED_2.get(type(frame.f_locals.get("entity")).__name__, "")
     if isinstance(error, RCLError) and "invalid allocator" in str(error):

@@ -12,9 +12,11 @@ from .feedback import Finding
 from .judging import plain, say
 from .observed import ObservedRun
 
-__all__ = ["commands", "driver_cpp", "follows", "stands", "unmoved"]
+__all__ = ["between", "commands", "driver_cpp", "follows", "is_rare", "stands", "unmoved"]
 
 _LEAST = 0.9  # of the way that it can go, it has to go so much
+_LONGEST = 0.35  # s; commands that come as rarely as this lose the line
+_OWN = ("/rosout", "/parameter_events")  # of every node
 _STILL = 0.05  # m; farther than this, it has moved
 
 _DRIVER_CPP = """
@@ -78,6 +80,18 @@ def commands(run: ObservedRun, first: float = 0.0, last: float = float("inf")) -
     return [each for each in run.drive.commands if each.node not in OTHERS and first <= each.time <= last]
 
 
+def between(run: ObservedRun) -> float:
+    """Return the mean time (s) from one command of the answer to the next, or to the end if there are not two."""
+    times = [command.time for command in commands(run)]
+    return round((times[-1] - times[0]) / (len(times) - 1), 3) if len(times) > 1 else run.seconds
+
+
+def is_rare(run: ObservedRun) -> bool:
+    """Whether the answer sent nothing for a while that is too long to keep to the line."""
+    times = [command.time for command in commands(run)]
+    return any(after - time > _LONGEST for time, after in pairwise([*times, run.seconds]))
+
+
 def unmoved(run: ObservedRun) -> Finding | None:
     """Find out why the vehicle was sent nothing that moves it; None if it was."""
     sent = commands(run)
@@ -101,10 +115,7 @@ def unmoved(run: ObservedRun) -> Finding | None:
         return Finding(False, text, f"{hint} {say(run.seconds)}.")
     if endpoints:
         return Finding(False, text, "There is a publisher. Does a timer publish with it, again and again?")
-    others = [
-        each.topic for each in run.endpoints if each.publishes and each.topic not in ("/rosout", "/parameter_events")
-    ]
-    others = [topic for topic in others if topic not in ("/line", "/pose", "/picture")]
+    others = [each.topic for each in run.endpoints if each.publishes and each.topic not in _OWN]
     where = f"It publishes on `{plain(others[0])}`. " if others else ""
     return Finding(False, text, f"{where}The vehicle listens to `cmd_vel`.")
 
@@ -118,6 +129,7 @@ def follows(
     """
     if wrong := unmoved(run):
         return wrong
+    when = f"up to {say(last)} " if last < run.seconds else f"from {say(first)} on " if first else ""
     spots = [spot for spot in run.drive.spots if first <= spot.time <= last]
     sent = [command for command in commands(run, first, last) if command.speed]
     if not sent:
@@ -125,12 +137,13 @@ def follows(
     worst = max(spots, key=lambda spot: spot.off)
     way, could = _way(spots), speed * (spots[-1].time - max(sent[0].time, first))
     if worst.off > EDGE:
-        return Finding(False, f"the vehicle {say_off(worst.off, worst.time)}.", _why(run, sent) or hint)
+        text = f"{when}the vehicle {say_off(worst.off, worst.time)}."
+        return Finding(False, text, _why(run, sent) or _sleeps(run) or hint)
     if could <= 0 or way < _LEAST * could:
-        text = f"the vehicle keeps to its line, but drove {way:.1f} m where {could:.1f} m are asked for."
+        text = f"{when}the vehicle keeps to its line, but drove {way:.1f} m where {could:.1f} m are asked for."
         slow = f"Its speed was {sent[0].speed:g} m/s. " if sent[0].speed < speed else ""
         return Finding(False, text, f"{slow}Leave its speed, {speed:g} m/s, as it is: slow vehicles are easy to steer.")
-    return Finding(True, f"the vehicle {say_off(worst.off, worst.time)}.")
+    return Finding(True, f"{when}the vehicle {say_off(worst.off, worst.time)}.")
 
 
 def stands(run: ObservedRun, first: float, last: float, hint: str) -> Finding:
@@ -149,7 +162,7 @@ def _way(spots: Sequence[Spot]) -> float:
 def _why(run: ObservedRun, sent: Sequence[Command]) -> str:
     """Return a hint for who steers in a wrong way, as opposed to too late; empty if neither is seen."""
     if not any(command.turn for command in sent):
-        return "In each command, the turn is 0: nothing steers. `command.angular.z` is the turn, in rad/s to the left."
+        return f"In each command, the turn is 0: nothing steers. {_unheard(run)}"
     if len({command.turn for command in sent}) == 1 < len(sent):
         return f"The turn is {sent[0].turn:g} in each command. Is it made from the newest offset, each time?"
     vehicle, away = Vehicle(), 0
@@ -157,4 +170,26 @@ def _why(run: ObservedRun, sent: Sequence[Command]) -> str:
         spot = min(run.drive.spots, key=lambda spot: abs(spot.time - command.time))
         vehicle.place = Place(spot.x, spot.y, spot.heading)
         away += 1 if vehicle.offset * command.turn < 0 else -1
-    return "It turns away from the line. Both the offset and the turn are positive to the left." if away > 0 else ""
+    if away > 0:
+        return "It turns away from the line. Both the offset and the turn are positive to the left."
+    return ""
+
+
+def _unheard(run: ObservedRun) -> str:
+    """Say why no command was made from what the sensor saw."""
+    heard = run.endpoints_of("/line", False)
+    if not heard:
+        others = [each.topic for each in run.endpoints if not each.publishes and each.topic not in _OWN]
+        where = f"It subscribes to `{plain(others[0])}`" if others else "It subscribes to nothing"
+        return f"{where}, and the vehicle says on `line` how far off it is."
+    if run.loops and not any(timer.calls for timer in run.timers):
+        return f"A loop, at line {run.loops[0]}, keeps the node from `spin`: no callback is called while it runs."
+    kept = "a member of the object, such as `offset_`" if run.language == "cpp" else "with its `self.`"
+    return f"`angular.z` is the turn. Is it made from what the subscription's callback keeps, by the same name, {kept}?"
+
+
+def _sleeps(run: ObservedRun) -> str:
+    """Say which callback of a timer sleeps; empty if none does."""
+    if not run.naps:
+        return ""
+    return f"A timer's callback sleeps, at line {run.naps[0]}: meanwhile no other is called, and its own timer waits."

@@ -227,6 +227,16 @@ def unless_first_at(time: float, hint: str) -> Hint:
 
 
 @_check
+def from_timers(run: ObservedRun, when: str) -> Finding | None:
+    """Whether timers printed the counters. Nothing is said of those that did."""
+    _, others = run.printers(run.counters())
+    if not others:
+        return None
+    text = f"counter {plain(others[0].text)} was not printed by the callback of a timer."
+    return Finding(False, text, "Keep the timer, and let it call back at the frequency that is asked for.")
+
+
+@_check
 def stops(run: ObservedRun, when: str, calls: int, timer: str = "") -> Finding | None:
     """Whether the timers that printed the counters stopped after so many calls. ``timer`` says what a timer is.
 

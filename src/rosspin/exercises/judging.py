@@ -113,6 +113,14 @@ class Answer:
         """Return a hint for a node that ended before its time; empty for any other."""
         return _ENDS_EARLY.format(words_of(self._language, self._ros).spins) if self._ended_early else ""
 
+    def hint_for_uncalled(self) -> str:
+        """Return a hint for a line that names a function and does not call it; empty if there is none."""
+        for node in ast.walk(self._tree or ast.Module([], [])):
+            if isinstance(node, ast.Expr) and isinstance(node.value, ast.Attribute):
+                name = plain(ast.unparse(node.value))
+                return f"Line {node.lineno} names `{name}` and does not call it: write `{name}()`."
+        return ""
+
     def _args(self, given: str) -> tuple[str, ...]:
         """Return the command line that gives a node of this ROS a parameter."""
         return tuple(ROS[self._ros].settings("-p", [given])) if given else ()

@@ -160,6 +160,7 @@ RIGHT = [
     {TRY: "    try:\n        rclpy.spin(spinner_py_node)\n    finally:\n        rclpy.shutdown()\n"},
 ]
 WRONG = [
+    ({"self.timer.cancel()": "self.timer.cancel"}, "counter 2 came at 3 s", "write `self.timer.cancel()`"),
     ({"(1.5": "(1.0"}, "counter 1 came at 1 s, not at 1.5 s", "The first call should come after 1.5 s"),
     ({CANCELS: "        del self.timer\n"}, "object has no attribute 'timer'", "before this line runs"),
     ({KEEPS: KEEPS.replace(")", ", autostart=False)")}, "no counter was printed", "or never started"),

@@ -134,5 +134,5 @@ WRONG = [
     ({"[]": "[0.0]"}, "that is not kept: not 0 s", "the last `ros::Timer`"),
     ({"[]": "None"}, "that is not kept: there is no prediction", "Give `not_kept` a list"),
     ({"[]": "0"}, "not a value of type `int`", "Write it as"),
-    ({"[1.8, 2.0, 2.4]": "[1.8, 2.0]"}, "3 times are asked for, not 2", "Which tick is overdue"),
+    ({"[1.8, 2.0, 2.4]": "[1.8, 2.0]"}, "3 times are asked for, not 2", "These are right, and one more is asked for"),
 ]

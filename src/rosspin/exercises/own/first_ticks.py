@@ -158,7 +158,7 @@ WRONG = [
         "the work is a part of the period",
     ),
     ({"busy_loop = [0.0, 0.25, 0.5]": "busy_loop = [0.1, 0.35, 0.6]"}, "not 0.1 s", "This is when the work ends"),
-    ({"[0.4, 0.8, 1.2]": "[0.4, 0.8]"}, "3 times are asked for, not 2", "Does a timer call back before"),
+    ({"[0.4, 0.8, 1.2]": "[0.4, 0.8]"}, "3 times are asked for, not 2", "These are right, and one more is asked for"),
     ({"[0.4, 0.8, 1.2]": "'0.4, 0.8, 1.2'"}, "not a value of type `str`", "Write it as `[1.0, 2.0, 3.0]`"),
     (
         {"\nloop = [0.0, 0.25, 0.5]": "\nloop = ..."},

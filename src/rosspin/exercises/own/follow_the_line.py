@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
 
 from .. import Finding
-from ..driving import commands, follows
-from ..judging import Answer
+from ..driving import between, commands, follows, is_rare
+from ..judging import Answer, say
 
 TITLE = "Follow the line"
 TEXT = """
@@ -118,33 +117,37 @@ HINTS_CPP = [
 ]
 
 _TURNS = "The commands come often enough. Is the turn 8.0 times the newest offset, as before?"
+_PERIOD = 0.1
 _AGAIN = "Its wheels stay as they were told last. Tell them again, ten times a second or so."
 
 
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether a timer steers, and the vehicle keeps to its line."""
     run = answer.run(8.0, beside=["vehicle"])
-    times = [command.time for command in commands(run)]
-    is_rare = any(after - time > 0.35 for time, after in pairwise([*times, run.seconds]))
-    followed = follows(run, _AGAIN if is_rare else _TURNS)
+    followed = follows(run, _AGAIN if is_rare(run) else _TURNS)
     yield followed
-    if followed.right and not any(
-        timer.state == "running" and len(timer.calls) >= 0.5 * len(commands(run)) for timer in run.timers
-    ):
+    if not followed.right:
+        return
+    sent, steady = commands(run), abs(between(run) - _PERIOD) < 0.1 * _PERIOD
+    if not any(timer.state == "running" and len(timer.calls) >= 0.5 * len(sent) for timer in run.timers):
         hint = "If the sensor falls silent, so do the commands. With a timer the node acts at times of its own."
         yield Finding(False, "no timer of the node sends the commands.", hint)
+    text = f"{len(sent)} commands came in {say(run.seconds)}, one every {say(between(run))}."
+    yield Finding(steady, text, "Ten times a second is one every 0.1 s, from one timer.")
 
 
+_STEER = "        self.steer()\n"
+_TIMER = "        self.create_timer(0.1, self.steer)\n"
+_TIME = {"import rclpy\n": "import time\n\nimport rclpy\n"}
 RIGHT = [
     {"        self.steer()\n": "        self.create_timer(0.1, self.steer)\n"},
-    {"        self.steer()\n": "        self.timer = self.create_timer(1 / 20, lambda: self.steer())\n"},
+    {"        self.steer()\n": "        self.timer = self.create_timer(1 / 10, lambda: self.steer())\n"},
     {
-        "        self.steer()\n": "        self.create_timer(timer_period_sec=0.2, callback=self.steer)\n",
+        "        self.steer()\n": "        self.create_timer(timer_period_sec=0.1, callback=self.steer)\n",
         "8.0 * self.offset": "9 * float(self.offset)",
     },
     {
-        "        self.steer()\n": "        for delay in (0.2, 0.2):\n"
-        "            self.create_timer(delay, self.steer)\n",
+        "        self.steer()\n": "        for period in (0.1,):\n            self.create_timer(period, self.steer)\n",
     },
     """
 import rclpy
@@ -156,7 +159,7 @@ node = rclpy.create_node("d")
 heard = [0.0]
 pub = node.create_publisher(Twist, "/cmd_vel", 1)
 node.create_subscription(Float32, "/line", lambda m: heard.append(m.data), 1)
-node.create_timer(0.05, lambda: pub.publish(Twist(linear=Vector3(x=2.0), angular=Vector3(z=8.0 * heard[-1]))))
+node.create_timer(0.1, lambda: pub.publish(Twist(linear=Vector3(x=2.0), angular=Vector3(z=8.0 * heard[-1]))))
 rclpy.spin(node)
 """,
 ]
@@ -191,8 +194,21 @@ WRONG = [
     ),
     (
         {"self.steer()\n": "self.create_timer(0.1, self.steer)\n", '"line"': '"lines"'},
-        "In each command, the turn is 0",
+        "It subscribes to `/lines`, and the vehicle says on `line`",
     ),
+    ({_STEER: _TIMER, "self.offset = message": "offset = message"}, "by the same name, with its `self.`"),
+    ({_STEER: _TIMER, "self.offset = message": "self.ofset = message"}, "by the same name, with its `self.`"),
+    (
+        {_STEER: "        while True:\n            self.steer()\n            time.sleep(0.1)\n"} | _TIME,
+        "A loop, at line 18, keeps the node from `spin`",
+    ),
+    (
+        {_STEER: _TIMER, "        command = Twist()\n": "        time.sleep(0.5)\n        command = Twist()\n"} | _TIME,
+        "A timer's callback sleeps, at line 22",
+    ),
+    ({_STEER: _TIMER.replace("0.1", "0.2")}, "one every 0.2 s"),
+    ({_STEER: _TIMER.replace("0.1", "0.01")}, "one every 0.01 s"),
+    ({_STEER: _TIMER + _TIMER}, "160 commands came in 8 s"),
 ]
 
 SOLUTION_CPP = {
@@ -201,9 +217,11 @@ SOLUTION_CPP = {
 }
 
 RIGHT_CPP = [
-    {"100ms": "50ms"},
+    {"100ms": "std::chrono::milliseconds(100)"},
 ]
 WRONG_CPP = [
+    ({"100ms": "50ms"}, "one every 0.05 s", "Ten times a second is one every 0.1 s"),
+    ({"    offset_ = message": "    auto offset_ = message"}, "leaves its line", "a member of the object"),
     ({"timer_ = create": "auto timer = create"}, "no command came on `/cmd_vel`", "Does a timer publish"),
     ({"100ms": "500ms"}, "leaves its line by 1.4 m", "Tell them again, ten times a second or so"),
     ({"8.0 *": "-8.0 *"}, "leaves its line", "It turns away from the line"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .. import Finding
-from ..driving import follows
+from ..driving import follows, is_rare
 from ..judging import Answer, say
 
 TITLE = "Look while driving"
@@ -140,18 +140,23 @@ _WAITS = (
     "While a picture is looked at, nothing steers. With two threads, and a callback group of its own for "
     "what looks at it, the others continue."
 )
+_OLD = (
+    "The commands come often enough, but from an old offset: the line's callback has to wait while a picture is looked "
+    "at. It is what looks at pictures that needs a group of its own."
+)
+_BLIND = "The vehicle's camera publishes on `picture`, and the node does not subscribe to it."
 _LOOK = "Leave what looks at a picture as it is: 0.3 s for a picture, and then the line."
 
 
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether the vehicle keeps to its line while pictures are looked at."""
     run = answer.run(8.0, beside=["vehicle"])
-    yield follows(run, _WAITS)
+    yield follows(run, _WAITS if is_rare(run) else _OLD)
     looked = [line for line in run.values("CAMERA", "picture") if line.time < run.seconds]
     numbers = [int(line.text) if line.text.isdecimal() and len(line.text) < 6 else 0 for line in looked]
     if len(looked) < 20:
         text = f"{len(looked)} pictures were looked at in {say(run.seconds)}, where 20 are the least."
-        yield Finding(False, text, _LOOK)
+        yield Finding(False, text, _LOOK if run.endpoints_of("/picture", False) else _BLIND)
         return
     # The vehicle takes a picture every 0.25 s.
     early = [line for line, number in zip(looked, numbers, strict=True) if line.time < 0.25 * number + 0.299]
@@ -171,7 +176,12 @@ _THREADS = {
     "from rclpy.executors import ExternalShutdownException\n": _IMPORTS,
     "spin(driver_py_node)": "spin(driver_py_node, MultiThreadedExecutor(2))",
 }
+_TIMER_ALONE = {"self.timer_callback)": "self.timer_callback, MutuallyExclusiveCallbackGroup())"}
 _GROUP = {"self.picture_callback, 1)": "self.picture_callback, 1, callback_group=MutuallyExclusiveCallbackGroup())"}
+AFTER = """
+Ctrl-C often comes while a picture is looked at. The thread that looks then logs its line after `rclpy` has been shut
+down, and ROS says so: `Failed to publish log message to rosout`.
+"""
 RIGHT = [
     _THREADS | _GROUP,
     _THREADS
@@ -207,6 +217,17 @@ RIGHT = [
 WRONG = [
     ({}, "leaves its line"),
     (_THREADS, "leaves its line"),
+    (_THREADS | _TIMER_ALONE, "The commands come often enough, but from an old offset"),
+    (_THREADS | _GROUP | {'"line"': '"lines"'}, "It subscribes to `/lines`"),
+    (_THREADS | _GROUP | {'"picture"': '"pictures"'}, "does not subscribe to it"),
+    (
+        {"import ExternalShutdownException": "import ExternalShutdownException, MutuallyExclusiveCallbackGroup"},
+        "`from rclpy.callback_groups import MutuallyExclusiveCallbackGroup`",
+    ),
+    (
+        {"import ExternalShutdownException": "import ExternalShutdownException, MultiThreadExecutor"},
+        "`rclpy.executors` has a `MultiThreadedExecutor`",
+    ),
     (
         _GROUP | {"from rclpy.executors import ExternalShutdownException\n": _IMPORTS},
         "leaves its line",

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .. import Finding
-from ..driving import commands, driver_cpp, follows
+from ..driving import between, commands, driver_cpp, follows
 from ..judging import Answer, say
-from ..observed import ObservedRun
 
 TITLE = "At which rate is it lost?"
 TEXT = """
@@ -68,31 +67,26 @@ HINTS_CPP = [
     "Halve the period until the vehicle stays on its line, then lengthen it in steps of 50 ms.",
 ]
 
-_SECONDS = 8.0
-_LONGEST = 0.3
+_SLOWEST = 0.3
 
 
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether the commands are as rare as they can be while the vehicle keeps to its line."""
-    run = answer.run(_SECONDS, beside=["vehicle"])
-    followed = follows(run, f"Its wheels are set every {say(_between(run))}: too rarely. Make the period shorter.")
+    run = answer.run(8.0, beside=["vehicle"])
+    followed = follows(run, f"Its wheels are set every {say(between(run))}: too rarely. Make the period shorter.")
     yield followed
     if followed.right:
-        count, least = len(commands(run)), int(_SECONDS / _LONGEST)
-        text = f"{count} commands came in {say(_SECONDS)}, one every {say(_between(run))}."
+        text = f"{len(commands(run))} commands came in {say(run.seconds)}, one every {say(between(run))}."
         hint = "It still keeps to its line if they are rarer. Make the period longer, in steps of 0.05 s."
-        yield Finding(count <= least, text, hint)
-
-
-def _between(run: ObservedRun) -> float:
-    times = [command.time for command in commands(run)]
-    return round((times[-1] - times[0]) / (len(times) - 1), 2) if len(times) > 1 else _SECONDS
+        if between(run) > _SLOWEST:
+            hint = f"{say(between(run))} is no multiple of 0.05 s. Which is the longest that keeps it on its line?"
+        yield Finding(abs(between(run) - _SLOWEST) < 0.005, text, hint)
 
 
 RIGHT = [
     {"0.5, self": "0.3, self"},
     {"0.5, self": "3 / 10, self"},
-    {"0.5, self.timer_callback": "timer_period_sec=0.31, callback=self.timer_callback"},
+    {"0.5, self.timer_callback": "timer_period_sec=0.3, callback=self.timer_callback"},
     {
         "        self.create_timer(0.5, self.timer_callback)\n": "        self.ticks = 0\n"
         "        self.create_timer(0.05, self.timer_callback)\n",
@@ -106,6 +100,15 @@ WRONG = [
     ({"0.5, self": "0.25, self"}, "32 commands came in 8 s, one every 0.25 s"),
     ({"0.5, self": "0.2, self"}, "40 commands came in 8 s"),
     ({"0.5, self": "0.05, self"}, "160 commands came in 8 s, one every 0.05 s"),
+    ({"0.5, self": "0.33, self"}, "0.33 s is no multiple of 0.05 s"),
+    (
+        {
+            "0.5, self": "0.3, self",
+            "import rclpy\n": "import time\n\nimport rclpy\n",
+            "        command = Twist()\n": "        time.sleep(0.5)\n        command = Twist()\n",
+        },
+        "A timer's callback sleeps, at line 22",
+    ),
     ({"0.5, self": "4.0, self"}, "leaves its line"),
     ({"linear.x = 2.0": "linear.x = 1.0"}, "Its speed was 1 m/s"),
     ({"0.5, self": "0.0, self"}, "is called without a pause"),

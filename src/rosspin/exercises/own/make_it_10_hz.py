@@ -8,7 +8,7 @@ TITLE = "Make it 10 Hz"
 TEXT = """
 **You need**: [the timer node in ROS 2](ros2-timer.md).
 
-This timer node ticks twice a second. Make it tick 10 times a second.
+The timer of this node ticks twice a second. Make it tick 10 times a second.
 """
 REVEALS = "A timer is given a frequency."
 
@@ -93,7 +93,7 @@ HINT = "`create_timer` takes a period in seconds, not a frequency: the period is
 
 HINT_CPP = "`create_wall_timer` takes a period with its unit, not a frequency: the period is 1 / frequency."
 
-check = by.run(1.0, by.ticks(0.1))
+check = by.run(1.0, by.ticks(0.1), by.from_timers())
 
 SOLUTION = {"0.5": "0.1"}
 
@@ -131,6 +131,21 @@ WRONG = [
         {SAYS: f"{SAYS}        time.sleep(0.2)\n", "import rclpy\n": "import time\n\nimport rclpy\n"},
         "counter 2 came at 0.3 s, not at 0.2 s",
         "The callback sleeps, at line 17",
+    ),
+    (
+        {
+            f"        {MAKES}\n": "",
+            SPIN: "        while rclpy.ok():\n            time.sleep(0.1)\n"
+            "            spinner_py_node.timer_callback()\n",
+            "import rclpy\n": "import time\n\nimport rclpy\n",
+        },
+        "counter 1 was not printed by the callback of a timer",
+        "Keep the timer",
+    ),
+    (
+        {"(self):\n        self.counter += 1": "():\n        self.counter += 1"},
+        "takes 0 positional arguments but 1 was given",
+        "def timer_callback(self)",
     ),
     ({MAKES: f"{MAKES}\n        {MAKES}"}, "counter 2 came at 0.1 s, not at 0.2 s", "two at a time"),
     ({MAKES: "self.create_timer(0,1, self.timer_callback)"}, "no attribute 'add_entity'", "`0,1` is two numbers"),

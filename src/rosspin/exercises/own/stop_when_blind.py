@@ -76,6 +76,10 @@ _STOP = (
     "Its wheels stay as they were told last. Send a `Twist` with a speed of 0 when nothing has come for 0.5 s: the "
     "timer can look how long ago the last message was."
 )
+_ALWAYS = (
+    "It is stopped in each call. Is the silence compared in its own unit? A difference of two times is a `Duration`: "
+    "compare it with one of 0.5 s. Its `nanoseconds` are billionths of a second."
+)
 _MUTE = "To send nothing is not to stop: its wheels stay as they were told last. Send a `Twist` with a speed of 0."
 
 
@@ -92,7 +96,8 @@ def check(answer: Answer) -> Iterator[Finding]:
 def _stops(run: ObservedRun, first: float, last: float) -> Iterator[Finding]:
     """Whether it stops half a second after the last message, not earlier, and drives on with the next one."""
     before = follows(run, "Steer as before while messages come.", 0.0, first)
-    yield before
+    sent = commands(run)
+    yield before if not sent or any(each.speed for each in sent) else before._replace(hint=_ALWAYS)
     if not before.right:
         return
     due = first - 0.05 + _PATIENCE
@@ -128,6 +133,7 @@ _LOOKS = (
     f"{_SILENT}        if {_NOW} - self.heard > Duration(seconds=0.5):\n"
     "            self.publisher.publish(command)\n            return\n"
 )
+_IN_NS = f"({_NOW} - self.heard).nanoseconds > 0.5"
 RIGHT = [
     _IMPORT | _HEARD | {_SILENT: _LOOKS},
     {
@@ -162,6 +168,11 @@ WRONG = [
         "Silent from 2 s to 3.5 s: from 2.56 s to 3.5 s the vehicle drove",
     ),
     ({}, "the vehicle drove"),
+    (_HEARD | {_SILENT: _LOOKS.replace("Duration(seconds=0.5)", "0.5")}, "`Duration(seconds=0.5)`"),
+    (
+        _HEARD | {_SILENT: _LOOKS.replace(f"{_NOW} - self.heard > Duration(seconds=0.5)", _IN_NS)},
+        "Its `nanoseconds` are billionths of a second",
+    ),
     (
         _IMPORT | _HEARD | {_SILENT: _LOOKS.replace("            self.publisher.publish(command)\n", "")},
         "To send nothing",
