@@ -19,10 +19,14 @@
     const own = lines.filter((line) => line.dataset.path === path)
     if (!own.length) return
     lines.forEach((line) => (line.hidden = !own.includes(line)))
-    const [onward, next] = [own.at(-1).querySelector(":nth-child(2)"), document.querySelector(".right-next")]
-    if (!next) return
-    next.hidden = !onward
-    if (!onward) return
+    const [home, onward] = own.at(-1).querySelectorAll("a")
+    const [next, solved] = [".right-next", ".exercise-next a"].map((name) => document.querySelector(name))
+    if (next) next.hidden = !onward
+    if (solved) {
+      solved.href = (onward ?? home).href
+      solved.textContent = onward ? `Next: ${onward.textContent}` : `Finished: ${home.textContent}`
+    }
+    if (!next || !onward) return
     next.href = onward.href
     next.querySelector(".prev-next-title").textContent = onward.textContent
   })

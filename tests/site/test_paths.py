@@ -43,7 +43,8 @@ def _steps(name: str) -> list[str]:
 def _lines(name: str) -> Iterator[tuple[str, Tag]]:
     """The lines about a path on the pages that are on it.
 
-    Links of exercises count for the list that has them, unless they lead from one of several to the next.
+    Links of exercises count for the list that has them, unless they lead from one of several, or from the list, to the
+    next.
     """
     pages = [SITE / step for step in dict.fromkeys(step.partition("#")[0] for step in _steps(name))]
     for path in [*pages, *sorted(SITE.glob("exercises/*.html"))]:
@@ -51,7 +52,8 @@ def _lines(name: str) -> Iterator[tuple[str, Tag]]:
         home = page.select_one(".exercise-way p a")
         for line in page.select(f".rosspin-path[data-path='{name}']"):
             found = _target("exercises/x", home) if home else path.relative_to(SITE).as_posix()
-            if home and "/" not in str(line.select("a")[-1]["href"]):
+            onward = str(line.select("a")[-1]["href"])
+            if "/" not in onward if home else onward.startswith("../exercises/"):
                 continue
             yield found.removesuffix(".html"), line
 
@@ -74,6 +76,13 @@ def test_each_page_says_where_on_a_path_it_is_and_what_comes_next(name: str) -> 
         assert [_target(page, link) for link in onward] == steps[number : number + 1]
         found[number] = line
     assert sorted(found) == list(range(1, len(steps) + 1))
+
+
+def test_a_path_says_where_it_ends() -> None:
+    [line] = _page("exercises/look-while-driving").select(".rosspin-path[data-path=evening]")
+    assert line.get_text().endswith(" 8 of 8. That is its end.")
+    [line] = _page("notebooks/drive").select(".rosspin-path[data-path=evening]")
+    assert _target("notebooks/drive", line.select("a")[-1]) == "exercises/follow-the-line.html"
 
 
 def test_a_page_shows_one_path_without_a_script() -> None:

@@ -115,7 +115,7 @@ def _split(app: Sphinx, page: str, template: str, context: dict[str, Any], doctr
     pages = app.env.__dict__.setdefault("rosspin_exercise_pages", [])
     for number, exercise in enumerate(exercises):
         pages.append(_page(app, page, context, doctree, exercises, number))
-    context["body"] = _render(app, doctree)
+    context["body"] = _lead(_render(app, doctree), page, exercises, posixpath.dirname(f"/{page}"))
 
 
 def _page(
@@ -135,20 +135,26 @@ def _page(
         more = f' title="{html.escape(each.title)}"' + ' aria-current="page"' * (each is exercise)
         links.append(f"<li>{each.link(each.title.partition('.')[0], more)}</li>")
     way = f'<nav class="exercise-way" aria-label="Exercises"><p>{back}, {number + 1} of {len(exercises)}</p>'
-    places = {anchor: f"/exercises/{each.name}.html" for each in exercises for anchor in each.section["ids"]}
-    body = _LINK.sub(lambda match: f'{match[1]}="{_moved(match[2], home, places)}"', _render(app, alone))
+    body = _lead(_render(app, alone), home, exercises, "/exercises")
     own: dict[str, Any] = {"title": html.escape(exercise.title), "body": f"{way}<ol>{''.join(links)}</ol></nav>{body}"}
     own |= {"prev": around.get("prev"), "next": around.get("next"), "meta": {"html_theme.sidebar_secondary.remove": ""}}
     return f"exercises/{exercise.name}", {**own, "metatags": "", "toc": "", "display_toc": False, "parents": []}, alone
 
 
-def _moved(link: str, home: str, places: dict[str, str]) -> str:
-    """Return what leads from the page of an exercise where a link leads from the list, on which are these places."""
-    page, mark, anchor = urljoin(f"/{home}.html", link).partition("#")
-    address, question, query = page.partition("?")
-    if address == f"/{home}.html" and anchor in places:
-        address, mark, anchor = places[anchor], "", ""
-    return posixpath.relpath(address, "/exercises") + question + query + mark + anchor
+def _lead(text: str, home: str, exercises: list[_Exercise], folder: str) -> str:
+    """Let links of the list, or of what was on it, lead to the pages of exercises, and to all else, from a folder."""
+    places = {anchor: f"/exercises/{each.name}.html" for each in exercises for anchor in each.section["ids"]}
+
+    def lead(link: re.Match[str]) -> str:
+        page, mark, anchor = urljoin(f"/{home}.html", link[2]).partition("#")
+        address, question, query = page.partition("?")
+        if address == f"/{home}.html" and anchor in places:
+            address, mark, anchor = places[anchor], "", ""
+        elif folder == posixpath.dirname(f"/{home}"):
+            return link[0]
+        return f'{link[1]}="{posixpath.relpath(address, folder)}{question}{query}{mark}{anchor}"'
+
+    return _LINK.sub(lead, text)
 
 
 def _write(app: Sphinx) -> list[tuple[str, dict[str, Any], str]]:

@@ -1,7 +1,7 @@
 """Sphinx extension: paths through the site, and on each page of one where on it that is, and what comes next.
 
 A table of the class ``path`` is one: its name is the path's, its caption the title, and each row a step: the page
-that it links to with ``:doc:``, or sections of one, linked to with ``:ref:``. A link with ``?path=NAME``, as in
+that it links to with ``:doc:``, and sections of one, linked to with ``:ref:``. A link with ``?path=NAME``, as in
 the table, chooses a path, which ``edition.js`` remembers. Before one is chosen, a page is on the first of its
 paths, of the class ``course`` before others; along that, the links to the next and the previous page lead.
 """
@@ -28,7 +28,7 @@ class _Row(NamedTuple):
 
 class _Step(NamedTuple):
     page: str
-    sections: tuple[str, ...]  # none for the whole page
+    sections: tuple[str, ...]  # empty for the whole page, which comes before sections of it
     title: str
 
 
@@ -81,7 +81,7 @@ def _steps(env: BuildEnvironment) -> dict[str, list[_Step]]:
             places = [(page, "") if page else labels.get(target, ("", "")) for page, target in links]
             page, first = places[0]
             if page in env.titles:
-                sections = tuple(section for other, section in places if other == page and section)
+                sections = tuple(section for other, section in places if other == page)
                 title = text if first else env.titles[page].astext()
                 found[name].append(_Step(page, sections, title))
     return found
@@ -99,7 +99,7 @@ def _write_again(app: Sphinx, env: BuildEnvironment) -> list[str]:
 
 
 def _address(app: Sphinx, page: str, step: _Step, name: str = "") -> str:
-    query, section = f"?path={name}" if name else "", f"#{step.sections[0]}" if step.sections else ""
+    query, section = f"?path={name}" if name else "", f"#{step.sections[0]}" if step.sections[0] else ""
     return app.builder.get_relative_uri(page, step.page) + query + section
 
 
@@ -109,6 +109,11 @@ def _own(env: BuildEnvironment, page: str) -> dict[str, list[_Step]]:
     return dict(sorted(found.items(), key=lambda item: not _all(env)[item[0]].course))
 
 
+def _is_place(node: nodes.Node) -> bool:
+    """Whether it can be a step: a section, or an exercise, which need not be one."""
+    return isinstance(node, nodes.section) or (isinstance(node, nodes.container) and "exercise" in node["classes"])
+
+
 def _add_lines(app: Sphinx, doctree: nodes.document, page: str) -> None:
     """Say where on its paths a page is, and let the links of a path choose it."""
     for table in doctree.findall(nodes.table):
@@ -116,7 +121,9 @@ def _add_lines(app: Sphinx, doctree: nodes.document, page: str) -> None:
             for link in table.findall(nodes.reference):
                 address, mark, section = link.get("refuri", "").partition("#")
                 link["refuri"] = f"{address}?path={table['names'][0]}{mark}{section}"
-    sections = [*doctree.findall(nodes.section)]
+    found = cast("list[nodes.Element]", [*doctree.findall(_is_place)])
+    sections = {name: each for each in found for name in each["ids"]}
+    sections[""] = whole = found[0] if found else doctree
     for is_other, (name, steps) in enumerate(_own(app.env, page).items()):
         path = _all(app.env)[name]
         home = f"{app.builder.get_relative_uri(page, path.page)}#{name}"
@@ -125,15 +132,15 @@ def _add_lines(app: Sphinx, doctree: nodes.document, page: str) -> None:
                 continue
             line = f'<a href="{home}">{html.escape(path.title)}</a>, {number} of {len(steps)}.'
             hidden = " hidden" if is_other else ""
-            own = [section for each in step.sections for section in sections if each in section["ids"]]
+            own = [sections[each] for each in step.sections if each in sections]
             after = [step._replace(sections=(each["ids"][0],), title=each[0].astext()) for each in own[1:]]
-            for place, following in zip(own or sections[:1], [*after, *steps[number : number + 1], None]):
-                onward = ""
+            for place, following in zip(own, [*after, *steps[number : number + 1], None]):
+                onward = " That is its end."
                 if following:
                     to = _address(app, page, following, name)
                     onward = f' Next: <a href="{to}">{html.escape(following.title)}</a>'
                 said = f'<p class="rosspin-path" data-path="{name}"{hidden}>{line}{onward}</p>'
-                place.insert(len(place) if own else 1, nodes.raw("", said, format="html"))
+                place.insert(1 if place is whole else len(place), nodes.raw("", said, format="html"))
 
 
 def _lead_on(app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None) -> None:

@@ -30,9 +30,9 @@ LINES = 30
 
 # Seconds for a figure, and more for one that can be moved or gone through; for a run, besides its own in real time, to
 # look at it and to change something; for a command, to type it and to wait; for an exercise, some take half as long.
-FIGURE = 30
+FIGURE = 60
 HANDLE = 60
-RUN = 60
+RUN = 120
 COMMAND = 60
 EXERCISE = 600
 

@@ -135,6 +135,22 @@ def test_links_to_the_list_lead_to_the_exercise(page: Page, address: str) -> Non
     expect(page.locator(".live-notice:visible")).to_contain_text("This code came with the link")
 
 
+def test_what_is_solved_leads_on_along_the_path_that_one_chose(browser: Browser, address: str) -> None:
+    """Not to the next on the list; and at the end of the path, back to all of them."""
+    with reader(browser) as context:
+        page = context.new_page()
+        onward, below = page.locator(".exercise-next a"), page.locator(".right-next .prev-next-title")
+        for name, said in ("make-it-10-hz", "2[.] When"), ("first-call", "Publish at a frequency"):
+            page.goto(f"{address}exercises/{name}.html?path=evening")
+            expect(onward).to_have_text(re.compile(f"^Next: {said}"))
+            expect(below).to_have_text(re.compile(f"^{said}"))
+            assert onward.get_attribute("href") == page.locator(".right-next").get_attribute("href")
+        page.goto(f"{address}exercises/look-while-driving.html")
+        expect(onward).to_have_text("Finished: The path of an evening")
+        expect(onward).to_have_attribute("href", re.compile("docs/paths.html#evening$"))
+        expect(page.locator(".right-next")).to_be_hidden()
+
+
 def test_hints_are_asked_for_one_at_a_time(opened: Page, address: str) -> None:
     open_exercise(opened, address, "fire-once")
     hints = opened.locator(".sd-tab-content:visible details:has(> summary:text('Hint'))")
