@@ -572,6 +572,24 @@ def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.Mo
         simulate(node, 1.0)
 
 
+IMPORTS = """\
+#include "ros/ros.h"
+extern "C" __attribute__((import_module("MODULE"), import_name("NAME"))) int imported(int);
+int main()
+{
+  return imported(1);
+}
+"""
+
+
+@pytest.mark.parametrize("module", ["rosspin", "hasOwnProperty", "__proto__"])
+def test_a_program_imports_only_what_nodes_have(write: Write, module: str) -> None:
+    """Each object of JavaScript has a constructor, by which functions are made: it is none of them."""
+    text = IMPORTS.replace("MODULE", module).replace("NAME", "constructor")
+    run = simulate(write(text, "node.cpp"), 1.0)
+    assert f"it calls constructor of {module}, which there is not" in run.console
+
+
 # Two mutexes, each held by a thread that asks for the other.
 LOCKED = """\
 #include <mutex>

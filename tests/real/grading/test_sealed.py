@@ -134,6 +134,8 @@ IN_A_PROGRAM = {
 ABOVE = {
     "include": '#include "/etc/passwd"\n#include "FOLDER/secret"',
     "embed": 'const char stolen[] = {\n#embed "FOLDER/secret"\n};',
+    "import": '#include <cstdio>\nextern "C" __attribute__((import_module("hasOwnProperty"), '
+    'import_name("constructor"))) int made(int);\nstatic int in = (made(0), std::puts("IN imports"));',
     "incbin": 'asm(".incbin \\"FOLDER/secret\\"");',
 }
 _HEADERS = "".join(

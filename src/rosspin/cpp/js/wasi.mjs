@@ -95,10 +95,8 @@ export class Program {
   #begin(imports, calls) {
     this.into = calls.into
     const out = (steps) => calls.out(steps, this.link.exchange)
-    const instance = new WebAssembly.Instance(this.module, {
-      wasi_snapshot_preview1: this.#complete(this.#wasi(out)),
-      rosspin: { ...imports(this, out), ...this.threads.imports },
-    })
+    const rosspin = { ...imports(this, out), ...this.threads.imports }
+    const instance = new WebAssembly.Instance(this.module, this.#given({ wasi_snapshot_preview1: this.#wasi(out), rosspin }))
     this.exports = instance.exports
     this.memory = instance.exports.memory
     this.shared = new Shared(instance.exports)
@@ -170,12 +168,22 @@ export class Program {
     return SUCCESS
   }
 
-  /** All other calls answer that there is no such thing: a node has no files. */
-  #complete(calls) {
+  /**
+   * What it imports of these modules' functions. Others of WASI answer that there is no such thing: a node has no files.
+   * A program names what it likes, such as `constructor`, which each object has.
+   */
+  #given(modules) {
+    const given = { __proto__: null }
     for (const { module, name } of WebAssembly.Module.imports(this.module)) {
-      if (module === "wasi_snapshot_preview1") calls[name] ??= () => (name.startsWith("fd_") ? BADF : NOSYS)
+      const own = Object.hasOwn(modules, module) ? modules[module] : {}
+      const lacking = () => {
+        if (own === modules.wasi_snapshot_preview1) return name.startsWith("fd_") ? BADF : NOSYS
+        throw new WebAssembly.RuntimeError(`it calls ${name} of ${module}, which there is not`)
+      }
+      given[module] ??= { __proto__: null }
+      given[module][name] = Object.hasOwn(own, name) ? own[name] : lacking
     }
-    return calls
+    return given
   }
 
   #wasi(out) {
