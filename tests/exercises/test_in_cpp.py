@@ -31,6 +31,15 @@ def test_the_start_is_not_right_and_the_solution_is(name: str) -> None:
     assert solution.passed, solution
 
 
+def test_what_the_compiler_warns_of_comes_before_what_the_node_prints() -> None:
+    solution = IN_CPP["make-it-10-hz"].changed
+    feedback = check("make-it-10-hz", solution.replace("counter_++;", "counter_++;\n    if (counter_ = 3) {}"))
+    assert not feedback.passed
+    warning, *_, printed = feedback.console.splitlines()
+    assert "answer.cpp:20:18: warning: using the result of an assignment as a condition" in warning
+    assert "signal_handler" in printed
+
+
 @pytest.mark.parametrize(("name", "answer"), [(name, answer) for name in NAMES for answer in IN_CPP[name].right[1:]])
 def test_a_right_answer_passes_however_it_is_written(name: str, answer: Answer) -> None:
     feedback = check(name, IN_CPP[name].written(answer))

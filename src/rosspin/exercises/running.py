@@ -276,6 +276,7 @@ class Runner:
         self._ros_number = ros
         self._room = _ROOM
         self._ran = False
+        self._warned = ""  # what its compiler has said
 
     @cached_property
     def _ros(self) -> Ros:
@@ -326,7 +327,7 @@ class Runner:
             raise _Failed(text, _hint_for(error)) from None
         finally:
             if not self._ran:
-                self.console, self._ran = _shown(console.text()), True
+                self.console, self._ran = _shown(self._warned + console.text()), True
         return self._observed(request, node, clock, result, variables)
 
     def _beside(self, node: Code, request: Request, clock: _Watched) -> Result:
@@ -395,7 +396,9 @@ class Runner:
     def _node(self) -> Code:
         if self._language:
             try:
-                return code_of_program(self._language.program(_FILE_OF_PROGRAM, lambda: None, self._text, closed=True))
+                program = self._language.program(_FILE_OF_PROGRAM, lambda: None, self._text, closed=True)
+                self._warned = f"{program.warnings}\n" if program.warnings else ""
+                return code_of_program(program)
             except NotSimulated as error:
                 raise _Failed(f"This is not simulated: `{plain(str(error))}`.", _hint_for(error)) from None
             except ValueError as error:
