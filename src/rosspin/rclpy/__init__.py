@@ -141,10 +141,11 @@ def get_global_executor() -> _Executor:
     own = current_world().part(_Global)
     if own.executor is None:
         import_module("rclpy.executors")  # from now on it is a name of the package, too
-        own.executor = executor = _SingleThreadedExecutor()
+        own.executor = _SingleThreadedExecutor()
 
         def reset() -> None:
-            executor.shutdown()
+            if own.executor:
+                own.executor.shutdown()
             own.executor = None
 
         get_default_context().on_shutdown(reset)

@@ -163,8 +163,9 @@ class Context:
         own.end()
         if own.logs.is_over and own.logs.rosout:
             own.logs.rosout.clear()
-        for hook in list(self._callbacks):
+        for hook in self._callbacks:
             # Methods are kept as weak references. rclpy calls every hook as if it were one, and then what that returns.
+            # The list shrinks when a hook takes the object of an earlier one with it: so rclpy misses the next.
             found = hook()
             if found is not None:
                 found()
