@@ -14,6 +14,7 @@ from benchmarks.in_chromium import launched, served
 from rosspin import doctor
 from tests.helpers.answers import CELLS, number_of
 from tests.helpers.attacks import ATTACK, FORGERIES, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
+from tests.helpers.floods import SIZE
 from tests.helpers.hand_ins import EXERCISE, NO_RUNS, TEACHERS, Table, exchange, handed_in, solves_nothing
 from tests.helpers.listings_in_page import OTHER, TIMER, TUTORIAL, Cell, link, open_tutorial
 from tests.helpers.looks import faults
@@ -283,6 +284,7 @@ GROWS = """\
 #include <ros/ros.h>
 #include <thread>
 #include <vector>
+extern "C" __attribute__((import_module("hasOwnProperty"), import_name("constructor"))) int function_of(int);
 int deeper(volatile int depth) { return depth ? deeper(depth + 1) + depth : 0; }
 int main(int argc, char** argv)
 {
@@ -294,6 +296,13 @@ int main(int argc, char** argv)
       kept.emplace_back(100'000'000, 'x');
   if (what == "recursion")
     return deeper(1);
+  if (what == "import")
+    return function_of(1);
+  if (what == "loop")
+    for (;;) {}
+  if (what == "words")
+    for (std::string line(3000, 'x');;)
+      std::puts(line.c_str());
   std::vector<std::thread> threads;
   while (threads.size() < (what == "threads" ? 100'000 : 300))
     threads.emplace_back([] { ros::WallDuration(0.5).sleep(); });
@@ -306,20 +315,27 @@ int main(int argc, char** argv)
 GROWN = {
     "memory": "terminate called after throwing an instance of 'std::bad_alloc'",
     "recursion": "its stack has overflowed: a function may call itself without an end, in deeper(int)",
+    "import": "it calls constructor of hasOwnProperty, which there is not",
     "threads": "what():  Resource temporarily unavailable",
+    "words": "xxx",
     "few": "300 threads",
 }
 
 
 def test_what_grows_without_end_in_cpp_ends_its_run(page: Page, address: str) -> None:
-    """Where memory, the stack or room for threads ends; the page runs the next one."""
+    """Where memory, the stack or room for threads ends, or its time, or with Stop; the page runs the next one."""
     page.goto(f"{address}docs/tutorial.html?lang=cpp")
     cell = Cell(page, 0, "div.live.highlight-cpp")
     cell.write(GROWS)
     for what, said in GROWN.items():
         cell.element.get_by_role("textbox", name="Arguments").fill(f"_what:={what}")
         cell.run(1)
-        assert said in cell.ends("done" if what == "few" else "error", 120_000)
+        assert said in cell.ends("done" if what in ("words", "few") else "error", 120_000)
+        assert cell.element.evaluate(SIZE)[0] <= 100_000
+    cell.element.get_by_role("textbox", name="Arguments").fill("_what:=loop")
+    cell.run(1)
+    cell.button("Stop").click()
+    cell.ends("stopped")
 
 
 # --- code that was received -------------------------------------------------------------------------------------------
