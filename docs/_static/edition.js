@@ -20,6 +20,13 @@
     if (!own.length) return
     lines.forEach((line) => (line.hidden = !own.includes(line)))
     const [home, onward] = own.at(-1).querySelectorAll("a")
+    const { previous, title } = own[0].dataset
+    const back = document.querySelector(".left-prev")
+    if (back) back.hidden = !previous
+    if (back && previous) {
+      back.href = previous
+      back.querySelector(".prev-next-title").textContent = title
+    }
     const [next, solved] = [".right-next", ".exercise-next a"].map((name) => document.querySelector(name))
     if (next) next.hidden = !onward
     if (solved) {

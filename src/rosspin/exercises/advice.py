@@ -5,8 +5,9 @@ from __future__ import annotations
 import inspect
 import re
 import sys
+from collections.abc import Mapping
 from difflib import get_close_matches
-from types import FrameType
+from types import FrameType, ModuleType
 
 from ..clocks.frames import node_frames
 from ..rospy.exceptions import ROSInitException
@@ -20,7 +21,8 @@ _PASSED = {
     "service": "A service passes its handler one argument: def handle(request), or (self, request) in a class.",
 }
 _PASSED_2 = {
-    "Timer": "A timer passes its callback no argument: def timer_callback(), or (self) in a class.",
+    "Timer": "A timer passes its callback no argument: def timer_callback(), or (self) in a class. Is it the one that "
+    "should be called?",
     "Subscription": "A subscription passes its callback the message: def callback(message), or (self, message) in a "
     "class.",
     "Service": "A service passes its callback two arguments: def callback(request, response), or (self, request, "
@@ -78,7 +80,13 @@ def not_found(error: BaseException, text: str) -> str:
         if re.fullmatch("[A-Z]", error.name or ""):
             return f'A letter is a text. Write it in quotes: `"{error.name}"`.'
         if re.match(r"[A-Z]\w*[a-z]", error.name or ""):
+            if home := _module_of(error.name or "", _modules("rclpy") if "import rclpy" in text else {}):
+                return f"Import it at the top: `from {home} import {error.name}`."
             return "A class is imported from its module, or defined, before it is used. Is it spelt as it is there?"
+        if error.name and re.search(
+            rf"create_(publisher|subscription|client|service)\([^)]*,\s*{error.name}\s*,", text
+        ):
+            return f'A name of ROS is a text. Write it in quotes: `"{error.name}"`.'
         if error.name and re.search(rf"\bself\.{re.escape(error.name)}\b|\bdef {re.escape(error.name)}\(self\b", text):
             return f"In a method of the class it is `self.{error.name}`."
         return _NOT_FOUND
@@ -91,15 +99,26 @@ def not_found(error: BaseException, text: str) -> str:
     return ""
 
 
+def _modules(package: str) -> Mapping[str, ModuleType]:
+    """Return the modules of a stand-in that an answer has imported, by their names on a real ROS."""
+    return getattr(sys.modules.get(f"rosspin.{package}"), "MODULES", {})
+
+
+def _module_of(name: str, modules: Mapping[str, ModuleType]) -> str:
+    """Return which of these modules has a class of this name; empty if none does."""
+    return next(
+        (each for each, module in modules.items() if getattr(vars(module).get(name), "__module__", "") == each), ""
+    )
+
+
 def _home(error: ImportError) -> str:
     """Say from where of ROS a name is imported that another module lacks, or which it has instead; else empty."""
     found = re.match(r"cannot import name '(\w+)' from '([\w.]+)'", str(error))
     if not found:
         return ""
-    modules = getattr(sys.modules.get(f"rosspin.{found[2].partition('.')[0]}"), "MODULES", {})
-    for name, module in modules.items():
-        if getattr(vars(module).get(found[1]), "__module__", "") == name:
-            return f"It is in another module: `from {name} import {found[1]}`."
+    modules = _modules(found[2].partition(".")[0])
+    if home := _module_of(found[1], modules):
+        return f"It is in another module: `from {home} import {found[1]}`."
     near = get_close_matches(found[1], vars(modules[found[2]]) if found[2] in modules else (), 1, 0.8)
     return f"`{found[2]}` has a `{near[0]}`. Is it that?" if near else ""
 
@@ -116,6 +135,8 @@ def _lacks(error: AttributeError) -> str:
     kind = type(error.obj)
     if "object has no attribute" not in str(error) or error.obj is None:
         return ""
+    if kind.__name__ in ("function", "method") and error.name in _MAKERS:
+        return f"`{_MAKERS[error.name]}` returns what has `{error.name}`. Keep that in a variable, with its `self.`."
     if kind.__name__ in ("function", "method"):
         return f"This is a function, which should be called first, with `()`: what it returns has `{error.name}`."
     if hasattr(kind, "get_fields_and_field_types"):
@@ -125,7 +146,9 @@ def _lacks(error: AttributeError) -> str:
         return "It has `current_expected`, `current_real`, `last_expected`, `last_real` and `last_duration`."
     if not _is_of_ros(kind.__module__):
         return ""
-    has = [f"`{name}()`" for name in vars(kind) if name[:1] != "_" and inspect.isfunction(vars(kind)[name])]
+    own = {name: value for name, value in vars(kind).items() if name[:1] != "_"}
+    has = [f"`{name}`" for name, value in own.items() if isinstance(value, property)]
+    has += [f"`{name}()`" for name, value in own.items() if inspect.isfunction(value)]
     return f"A `{kind.__name__}` has no `{error.name}`. It has {', '.join(has[:8])}." if has else ""
 
 
@@ -134,9 +157,12 @@ def _meant(error: AttributeError) -> str:
     if error.obj is None or not error.name:
         return ""
     names = {name.lower().replace("_", ""): name for name in dir(error.obj) if name[:1] != "_"}
+    if error.name == "publish":
+        return "A publisher publishes: `self.publisher.publish(...)`, if that is where you keep it."
     near = get_close_matches(error.name.lower().replace("_", ""), names, 1, 0.85)
     if near and names[near[0]] != f"{error.name}s":
-        return f"There is a `{names[near[0]]}`. Is it that?"
+        article = "an" if names[near[0]][0] in "aeiou" else "a"
+        return f"There is {article} `{names[near[0]]}`. Is it that?"
     if error.name in _OF_NODES:
         return f"A `Node` has `{error.name}`. Is the class one of these, `class {type(error.obj).__name__}(Node)`?"
     return ""
@@ -188,6 +214,7 @@ _FORMS = {
     "spin": "`rclpy.spin(node)`: the node whose callbacks should be called.",
     "declare_parameter": "`self.declare_parameter(name, default).value`: the name, then the default.",
     "get_parameter": "`self.get_parameter(name).value`, after the parameter was declared.",
+    "Duration": "`Duration(seconds=0.5)`, or `Duration(nanoseconds=500_000_000)`.",
     "Publisher": '`rospy.Publisher("topic", UInt32, queue_size=10)`: the topic, then the type.',
     "Subscriber": '`rospy.Subscriber("topic", UInt32, self.callback)`: the topic, the type, the callback.',
     "Timer": "`rospy.Timer(rospy.Duration(0.5), self.callback)`: the period, a Duration, then the callback.",
@@ -238,12 +265,30 @@ def _on_messages(error: BaseException) -> str:
     if isinstance(error, AssertionError) and said.startswith("The 'result' field must be"):
         return "The callback that executes a goal has to return a result: `return Fibonacci.Result(sequence=numbers)`."
     if isinstance(error, TypeError) and re.search("not supported between instances of .*'Duration'", said):
+        if said.count("'Duration'") > 1:
+            return "There are two classes of that name. Times need the other: `from rclpy.duration import Duration`."
         return "A difference of two times is a `Duration`, and is compared with one: 0.5 s is `Duration(seconds=0.5)`."
+    if isinstance(error, TypeError) and re.search("unsupported .* -: .*'Time'", said) and _names_rclpy(error):
+        return "Both have to be times, from the beginning: `self.get_clock().now()`, with its `()`."
+    if isinstance(error, AssertionError) and said.startswith("Invalid arguments passed to constructor"):
+        if said.endswith("seconds"):
+            return "This is a message. What times are compared with is another: `from rclpy.duration import Duration`."
+        return "The fields of a message are given by their own names, as in `UInt32(data=5)`."
     if (isinstance(error, AssertionError) and "field must be" in said) or "SerializationE" in type(error).__name__:
+        if found := re.search("must be of type '(float|int|str)'", said):
+            return f"A field takes values of its own type only: {_OF_TYPE[found[1]]}."
         return "A field of a message takes values of its own type only. One for whole numbers takes no text."
     return ""
 
 
+# What makes the object that has a method.
+_MAKERS = {"cancel": "create_timer", "reset": "create_timer", "publish": "create_publisher"}
+
+_OF_TYPE = {
+    "float": "this one a number with a point, `2.0` and not `2`",
+    "int": "this one a whole number, `5` and neither `5.0` nor a text",
+    "str": 'this one a text, `"5"` or `str(5)`',
+}
 _METHODS = {"Publisher": "publish", "Client": "call_async", "Timer": "cancel", "RcutilsLogger": "info", "Rate": "sleep"}
 
 
@@ -292,6 +337,8 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
     if "add_entity" in str(error):
         if "missing" in str(error):
             return "A callback group is made with `()`: `MutuallyExclusiveCallbackGroup()`."
+        if "'str'" in str(error):
+            return "A callback group is an object: `callback_group=MutuallyExclusiveCallbackGroup()`."
         return "A callback group comes after the callback. Has a number a comma in it? `0,1` is two numbers: write 0.1."
     if isinstance(error, TypeError) and module.endswith(".executors"):
         if "not callable" in str(error):
@@ -300,6 +347,8 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
             return "Its first parameter is the node, since it is a method: def timer_callback(self)."
         if "positional argument" in str(error):
             return _PASSED_2.get(type(frame.f_locals.get("entity")).__name__, "")
+    if isinstance(error, RuntimeError) and "callback should be either" in str(error):
+        return _PASSED_2["Subscription"]
     if isinstance(error, RCLError) and "invalid allocator" in str(error):
         return "The node uses this topic with another type already. Both ends of a topic have to name the same type."
     if "History and/or depth settings are required" in str(error):
@@ -307,6 +356,14 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
     if isinstance(error, TypeError) and not str(error):
         return "A service's callback returns the response, an action's its result: `return response`."
     return ""
+
+
+def _names_rclpy(error: BaseException) -> bool:
+    """Whether an error was raised in code that has imported rclpy."""
+    trace = error.__traceback__
+    while trace and trace.tb_next:
+        trace = trace.tb_next
+    return bool(trace and "rclpy" in trace.tb_frame.f_globals)
 
 
 def _innermost(error: BaseException) -> FrameType | None:

@@ -141,6 +141,9 @@ def follows(
         return Finding(False, text, _why(run, sent) or _sleeps(run) or hint)
     if could <= 0 or way < _LEAST * could:
         text = f"{when}the vehicle keeps to its line, but drove {way:.1f} m where {could:.1f} m are asked for."
+        stops = [command.time for command in commands(run, first, last) if not command.speed]
+        if stops and sent[0].speed >= speed:
+            return Finding(False, text, f"It was stopped at {say(stops[0])}. {hint}")
         slow = f"Its speed was {sent[0].speed:g} m/s. " if sent[0].speed < speed else ""
         return Finding(False, text, f"{slow}Leave its speed, {speed:g} m/s, as it is: slow vehicles are easy to steer.")
     return Finding(True, f"{when}the vehicle {say_off(worst.off, worst.time)}.")

@@ -9,7 +9,7 @@ from itertools import pairwise
 from .judging import plain, say
 from .observed import ObservedRun, Printed
 
-__all__ = ["for_counters", "for_naps", "for_none", "for_times"]
+__all__ = ["for_counters", "for_naps", "for_none", "for_several", "for_times"]
 
 # Times (s) that differ by less are meant to be the same.
 _CLOSE = 1e-3
@@ -41,7 +41,7 @@ def for_counters(counters: Sequence[Printed], wanted: Sequence[float], verb: str
     if len(steps) == 1 and (step := steps.pop()) > 1:
         return f"The counter goes up by {step} each time: add 1 in each call. If another timer counts in it: {_OWN}"
     if abs(counters[0].time - wanted[0]) < _CLOSE:
-        return f"Something else counts in the same variable: {_OWN}"
+        return f"Something else counts in the same variable, or prints the same words: {_OWN}"
     return ""
 
 
@@ -50,6 +50,10 @@ def for_times(counters: Sequence[Printed], wanted: Sequence[float], hint: str = 
     pairs = list(pairwise(counters[: len(wanted)]))
     if pairs and all(after.time - line.time < _CLOSE for line, after in pairs[::2]):
         return "They come two at a time: do two timers call the same callback, or does one call count twice?"
+    if len(pairs) > 2 and sum(after.time - line.time < _CLOSE for line, after in pairs) > len(pairs) / 2:
+        return (
+            "Several come at a time: does one call count more than once, or do several timers call the same callback?"
+        )
     period = wanted[1] - wanted[0] if pairs and abs(wanted[1] - 2 * wanted[0]) < _CLOSE else 0.0
     if period and all(abs(after.time - line.time - period) < _CLOSE for line, after in pairs):
         start, late = f"They come every {say(period)}, as asked for, but", counters[0].time - period
@@ -66,7 +70,21 @@ def for_naps(run: ObservedRun, counters: Sequence[Printed], wanted: Sequence[flo
     """Return a hint on counters that come late because a timer's callback sleeps; empty if none does."""
     if not run.naps or all(line.time < time + _CLOSE for line, time in zip(counters, wanted, strict=False)):
         return ""
-    return f"The callback sleeps, at line {run.naps[0]}, and its timer calls it again only when it has returned."
+    return (
+        f"The callback sleeps, at line {run.naps[0]}, and its timer calls it again only when it has returned. What the "
+        "same thread calls has to wait, too."
+    )
+
+
+def for_several(run: ObservedRun, counters: Sequence[Printed]) -> str:
+    """Return a hint on counters that several timers with different periods print; empty if they do not."""
+    periods = sorted({timer.period for timer in run.printers(counters)[0]})
+    if len(periods) < 2:
+        return ""
+    return (
+        f"Timers with different periods print these counters, {' and '.join(map(say, periods))}. One timer is enough, "
+        "or each needs a callback and counter of its own."
+    )
 
 
 def for_none(run: ObservedRun, tag: str, hint: str = "") -> str:

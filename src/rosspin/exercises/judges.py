@@ -11,7 +11,7 @@ from itertools import count, pairwise
 from typing import Concatenate, ParamSpec
 
 from .feedback import Finding
-from .hints import for_counters, for_naps, for_none, for_times
+from .hints import for_counters, for_naps, for_none, for_several, for_times
 from .judging import Answer, Judge, above, hint_for_kept, plain, say, say_error, say_kept
 from .observed import ObservedRun, Printed
 
@@ -199,7 +199,7 @@ def ticks(
     if not counters:
         said = for_none(run, tag or run.tag, said)
     elif run.interrupted:
-        said = for_times(counters, wanted, said or for_naps(run, counters, wanted))
+        said = for_times(counters, wanted, for_several(run, counters) or said or for_naps(run, counters, wanted))
     return on_time(counters, wanted, what, said)
 
 
@@ -208,7 +208,7 @@ def unless_regular(asked: float, hint: str) -> Hint:
 
     def hint_for(counters: Sequence[Printed]) -> str:
         period = counters[0].time if counters else asked
-        regular = len(counters) > 1 and all(abs(line.time - n * period) < CLOSE for n, line in enumerate(counters, 1))
+        regular = bool(counters) and all(abs(line.time - n * period) < CLOSE for n, line in enumerate(counters, 1))
         if regular and abs(period - asked) > CLOSE:
             return (
                 f"They come every {say(period)}: that is the period of their timer now, not the one you were asked for."

@@ -14,6 +14,8 @@ from .observed import Error, ObservedRun, Value
 from .traces import Outcome, Request
 
 __all__ = [
+    "MADE_AGAIN",
+    "MANY_TIMERS",
     "Answer",
     "Fails",
     "Judge",
@@ -35,6 +37,8 @@ _DAEMON = (
 )
 _ZERO = "In Python `1 // 10` is 0, and `1 / 10` is 0.1. A decimal number has a point: `0,1` is two numbers, 0 and 1."
 _ZERO_IN_CPP = "In C++, `1 / 10` is 0, as both are whole numbers, and `1 / 10.0` is 0.1."
+MADE_AGAIN = "Each call of a callback makes one more timer: make it once, where the node is made."
+MANY_TIMERS = 9
 _NAMES = {"python": "Python", "cpp": "C++"}
 _NO_ANSWER = "No answer yet."
 _ENDS_EARLY = "The node ended by itself, before its time was over. Does its main part come to `{}`?"
@@ -95,6 +99,8 @@ class Answer:
         if any(timer.is_endless for timer in run.timers):
             zero = _ZERO_IN_CPP if self._language else _ZERO
             raise Fails(f"{started(args)} node has a timer whose period is 0 s: it is called without a pause.", zero)
+        if (running := sum(timer.state == "running" for timer in run.timers)) > MANY_TIMERS:
+            raise Fails(f"{started(args)} node has {running} timers.", MADE_AGAIN)
         self._ended_early |= not run.interrupted and not allowed and seed is None
         return run
 

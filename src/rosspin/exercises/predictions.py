@@ -54,11 +54,15 @@ def _compare(given: Sequence[float], prediction: Prediction, asked: str) -> Find
     said = ", ".join(map(say_one, given)) or "nothing at all"
     if same(given, right):
         return Finding(True, f"{what}: {said}.")
+    if asked == "times" and same([number / 1000 for number in given], right):
+        return Finding(False, f"{what}: not {said}.", "These are milliseconds, and a time is asked for in seconds.")
     why = next((why for wrong, why in beliefs.items() if same(given, wrong)), None)
     if why is None and len(given) != len(right) >= _LEAST:
         more = len(right) - len(given)
         if given and more > 0 and same(given, right[: len(given)]):
             hint = f"These are right, and {'one more is' if more == 1 else f'{more} more are'} asked for."
+        elif same(given[: len(right)], right):
+            hint = f"The first {len(right)} are right, and no more are asked for."
         return Finding(False, f"{what}: {len(right)} {asked} are asked for, not {len(given)}.", hint)
     pairs = zip(given, right, strict=False)
     first = next((n for n, (one, other) in enumerate(pairs) if not same([one], [other])), min(len(given), len(right)))

@@ -38,7 +38,7 @@ from ..world.graph import RecordedEndpoint, TickLog
 from ..world.world import NotSimulated, World, current_world
 from . import in_rospy
 from .advice import not_called, not_found
-from .judging import language_of, not_python, plain, started
+from .judging import MADE_AGAIN, MANY_TIMERS, language_of, not_python, plain, started
 from .observed import Called, Error, Kept, ObservedEndpoint, ObservedRun, ObservedTimer, Printed, Sent, Value
 from .traces import LONGEST, Failure, Outcome, Request
 from .watched import Watched
@@ -323,8 +323,11 @@ class Runner:
             with capture(listener, listener) as console, _plain_environment():
                 result = self._beside(node._replace(main=main), request, clock)
         except (TimeStandsStill, NotSimulated, RuntimeError) as error:
-            text = f"{started(request.args)} node cannot be run: `{plain(str(error))}`"
-            raise _Failed(text, _hint_for(error)) from None
+            said = str(error)
+            if isinstance(error, TimeStandsStill) and not said.startswith((_FILENAME, _FILE_OF_PROGRAM)):
+                said = said.partition(": ")[2]  # another node than the answer ran then
+            text = f"{started(request.args)} node cannot be run: `{plain(said)}`"
+            raise _Failed(text, MADE_AGAIN if len(clock.timers) > MANY_TIMERS else _hint_for(error)) from None
         finally:
             if not self._ran:
                 self.console, self._ran = _shown(self._warned + console.text()), True

@@ -53,7 +53,7 @@ class Programs:
 
     @property
     def computes(self) -> bool:
-        """Whether one of them still computes what nobody waits for."""
+        """Whether one of them still computes what no one waits for."""
         return any(each.computes for each in self._lent)
 
     @property

@@ -29,7 +29,7 @@ __all__ = ["difference", "setup"]
 _ANSWER = re.compile(r"%%answer (\S+)\n")
 # An answer of fewer lines stays in view while one reads the node that it is about, unless that can be run.
 _FEW_LINES = 8
-_LINK = re.compile(r'(?<= )(href|src)="(?!\w+:)([^"]*)"')
+_LINK = re.compile(r'(?<= )(href|src|data-previous)="(?!\w+:)([^"]*)"')
 _TEACHERS = {lesson.exercise.name for lesson in LESSONS if lesson.file.parent == FOLDER}
 
 

@@ -3,7 +3,8 @@
 A table of the class ``path`` is one: its name is the path's, its caption the title, and each row a step: the page
 that it links to with ``:doc:``, and sections of one, linked to with ``:ref:``. A link with ``?path=NAME``, as in
 the table, chooses a path, which ``edition.js`` remembers. Before one is chosen, a page is on the first of its
-paths, of the class ``course`` before others; along that, the links to the next and the previous page lead.
+paths, of the class ``course`` before others; along that, the links to the next and the previous page lead, which
+``edition.js`` changes for a path that was chosen.
 """
 
 from __future__ import annotations
@@ -134,12 +135,19 @@ def _add_lines(app: Sphinx, doctree: nodes.document, page: str) -> None:
             hidden = " hidden" if is_other else ""
             own = [sections[each] for each in step.sections if each in sections]
             after = [step._replace(sections=(each["ids"][0],), title=each[0].astext()) for each in own[1:]]
+            before = steps[number - 2] if number > 1 else None
             for place, following in zip(own, [*after, *steps[number : number + 1], None]):
                 onward = " That is its end."
                 if following:
                     to = _address(app, page, following, name)
                     onward = f' Next: <a href="{to}">{html.escape(following.title)}</a>'
-                said = f'<p class="rosspin-path" data-path="{name}"{hidden}>{line}{onward}</p>'
+                data = {"path": name}
+                if before:
+                    last = before._replace(sections=before.sections[-1:])
+                    data |= {"previous": _address(app, page, last, name), "title": before.title}
+                known = "".join(f' data-{key}="{html.escape(value)}"' for key, value in data.items())
+                said = f'<p class="rosspin-path"{known}{hidden}>{line}{onward}</p>'
+                before = _Step(page, ("" if place is whole else place["ids"][0],), place[0].astext())
                 place.insert(1 if place is whole else len(place), nodes.raw("", said, format="html"))
 
 

@@ -140,11 +140,20 @@ def test_what_is_solved_leads_on_along_the_path_that_one_chose(browser: Browser,
     with reader(browser) as context:
         page = context.new_page()
         onward, below = page.locator(".exercise-next a"), page.locator(".right-next .prev-next-title")
-        for name, said in ("make-it-10-hz", "2[.] When"), ("first-call", "Publish at a frequency"):
+        came = page.locator(".left-prev .prev-next-title")
+        for name, before, said in (
+            ("make-it-10-hz", "", "2[.] When"),
+            ("first-call", "1[.] Make", "Publish at a frequency"),
+        ):
             page.goto(f"{address}exercises/{name}.html?path=evening")
             expect(onward).to_have_text(re.compile(f"^Next: {said}"))
             expect(below).to_have_text(re.compile(f"^{said}"))
+            if before:
+                expect(came).to_have_text(re.compile(f"^{before}"))
             assert onward.get_attribute("href") == page.locator(".right-next").get_attribute("href")
+        page.goto(f"{address}notebooks/drive.html")
+        page.locator(".left-prev").click()
+        expect(page).to_have_url(f"{address}notebooks/ros2-executors.html?path=evening")
         page.goto(f"{address}exercises/look-while-driving.html")
         expect(onward).to_have_text("Finished: The path of an evening")
         expect(onward).to_have_attribute("href", re.compile("docs/paths.html#evening$"))

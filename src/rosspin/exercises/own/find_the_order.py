@@ -128,7 +128,11 @@ WRONG = [
     ({"[1, 2, 1, 2]": "[1, 2, 2, 1]"}, "the order: not 1, 2, 2, 1", "thread 1 writes last"),
     ({"[1, 2, 1, 2]": "[2, 1, 1, 2]"}, "the order: not 2, 1, 1, 2", "Here thread 2 begins"),
     ({"[1, 2, 1, 2]": "[2, 1, 2, 1]"}, "the order: not 2, 1, 2, 1", "thread 1 writes last, over what thread 2"),
-    ({"[1, 2, 1, 2]": "[1, 2, 1, 2, 2]"}, "4 numbers are asked for, not 5", "It has four lines"),
+    (
+        {"[1, 2, 1, 2]": "[1, 2, 1, 2, 2]"},
+        "4 numbers are asked for, not 5",
+        "The first 4 are right, and no more are asked for",
+    ),
     (
         {"[1, 2, 1, 2]": "[1, 2, 1, 1]"},
         "the fourth of these numbers is not 1",

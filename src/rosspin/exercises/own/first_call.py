@@ -108,6 +108,8 @@ WRONG = [
     ({"[0.4, 0.8, 1.2]": "[2.5, 5.0, 7.5]"}, "The timer: not 2.5 s", "mistakes the number for a frequency"),
     ({"[0.4, 0.8, 1.2]": "[0.0, 2.5, 5.0]"}, "The timer: not 0 s, 2.5 s", "mistakes the number for a frequency"),
     ({"[0.4, 0.8, 1.2]": "[0.4, 0.8, 1.3]"}, "the third of these times is not 1.3 s", "And before the first one?"),
+    ({"[0.4, 0.8, 1.2]": "[400, 800, 1200]"}, "not 400 s", "These are milliseconds"),
+    ({"[0.4, 0.8, 1.2]": "[0.4, 0.8, 1.2, 1.6]"}, "3 times are asked for, not 4", "The first 3 are right"),
     ({"[0.4, 0.8, 1.2]": "[0.4, 0.8]"}, "3 times are asked for, not 2", "These are right, and one more is asked for"),
     ({"[0.0, 0.4, 0.8]": "[0.4, 0.8, 1.2]"}, "The loop: not 0.4 s", "makes its first pass immediately"),
     ({"[0.0, 0.4, 0.8]": "[0.0, 0.5, 1.0]"}, "the second of these times is not 0.5 s", "Follow it line by line"),

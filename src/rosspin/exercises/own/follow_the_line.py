@@ -197,7 +197,7 @@ WRONG = [
         "It subscribes to `/lines`, and the vehicle says on `line`",
     ),
     ({_STEER: _TIMER, "self.offset = message": "offset = message"}, "by the same name, with its `self.`"),
-    ({_STEER: _TIMER, "self.offset = message": "self.ofset = message"}, "by the same name, with its `self.`"),
+    ({_STEER: _TIMER, "self.offset = message": "self.off = message"}, "by the same name, with its `self.`"),
     (
         {_STEER: "        while True:\n            self.steer()\n            time.sleep(0.1)\n"} | _TIME,
         "A loop, at line 18, keeps the node from `spin`",
@@ -205,6 +205,10 @@ WRONG = [
     (
         {_STEER: _TIMER, "        command = Twist()\n": "        time.sleep(0.5)\n        command = Twist()\n"} | _TIME,
         "A timer's callback sleeps, at line 22",
+    ),
+    (
+        {_STEER: _STEER + _TIMER, "        command = Twist()\n": f"{_TIMER}        command = Twist()\n"},
+        "Each call of a callback makes one more timer",
     ),
     ({_STEER: _TIMER.replace("0.1", "0.2")}, "one every 0.2 s"),
     ({_STEER: _TIMER.replace("0.1", "0.01")}, "one every 0.01 s"),

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .. import Finding
-from ..driving import follows, is_rare
+from ..driving import commands, follows, is_rare
 from ..judging import Answer, say
 
 TITLE = "Look while driving"
 TEXT = """
 The node now also looks at each picture of the camera for 0.3 s. Keep the vehicle on its line, without looking at fewer
-pictures, or for a shorter time.
+pictures, or for a shorter time, and steer ten times a second, as before.
 """
 REVEALS = "Callbacks run at the same time by themselves. More threads are enough, or a group is."
 
@@ -144,6 +144,7 @@ _OLD = (
     "The commands come often enough, but from an old offset: the line's callback has to wait while a picture is looked "
     "at. It is what looks at pictures that needs a group of its own."
 )
+_SLEEP = "More than one callback sleeps. Only the one that looks at pictures needs time."
 _BLIND = "The vehicle's camera publishes on `picture`, and the node does not subscribe to it."
 _LOOK = "Leave what looks at a picture as it is: 0.3 s for a picture, and then the line."
 
@@ -151,7 +152,11 @@ _LOOK = "Leave what looks at a picture as it is: 0.3 s for a picture, and then t
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether the vehicle keeps to its line while pictures are looked at."""
     run = answer.run(8.0, beside=["vehicle"])
-    yield follows(run, _WAITS if is_rare(run) else _OLD)
+    followed = follows(run, _WAITS if is_rare(run) else _SLEEP if len(run.loops) > 1 else _OLD)
+    yield followed
+    if followed.right and len(commands(run)) < 72:
+        text = f"{len(commands(run))} commands came in {say(run.seconds)}, where 80 are asked for."
+        yield Finding(False, text, "The timer's callback still waits while a picture is looked at.")
     looked = [line for line in run.values("CAMERA", "picture") if line.time < run.seconds]
     numbers = [int(line.text) if line.text.isdecimal() and len(line.text) < 6 else 0 for line in looked]
     if len(looked) < 20:
@@ -169,14 +174,18 @@ def check(answer: Answer) -> Iterator[Finding]:
 
 
 _IMPORTS = (
-    "from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup\n"
+    "from rclpy.callback_groups import MutuallyExclusiveCallbackGroup\n"
     "from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor\n"
 )
 _THREADS = {
     "from rclpy.executors import ExternalShutdownException\n": _IMPORTS,
     "spin(driver_py_node)": "spin(driver_py_node, MultiThreadedExecutor(2))",
 }
+_LINE_ALONE = {"_callback, 10)": "_callback, 10, callback_group=MutuallyExclusiveCallbackGroup())"}
 _TIMER_ALONE = {"self.timer_callback)": "self.timer_callback, MutuallyExclusiveCallbackGroup())"}
+_AT_ONCE = _THREADS | {
+    "from rclpy.executors import ExternalShutdownException\n": _IMPORTS.replace("MutuallyExclusive", "Reentrant"),
+}
 _GROUP = {"self.picture_callback, 1)": "self.picture_callback, 1, callback_group=MutuallyExclusiveCallbackGroup())"}
 AFTER = """
 Ctrl-C often comes while a picture is looked at. The thread that looks then logs its line after `rclpy` has been shut
@@ -184,7 +193,7 @@ down, and ROS says so: `Failed to publish log message to rosout`.
 """
 RIGHT = [
     _THREADS | _GROUP,
-    _THREADS
+    _AT_ONCE
     | {
         "self.offset = 0.0\n": "self.offset = 0.0\n        at_once = ReentrantCallbackGroup()\n",
         "_callback, 10)": "_callback, 10, callback_group=at_once)",
@@ -206,7 +215,7 @@ RIGHT = [
         "    def look(self):\n        while True:\n            message = self.pictures.get()\n"
         "            time.sleep(0.3)\n            self.say(message)\n\n    def say(self, message):\n",
     },
-    _THREADS
+    _AT_ONCE
     | {
         "spin(driver_py_node, MultiThreadedExecutor(2))": "get_global_executor",
         "        rclpy.get_global_executor\n": "        executor = MultiThreadedExecutor(num_threads=3)\n"
@@ -217,6 +226,8 @@ RIGHT = [
 WRONG = [
     ({}, "leaves its line"),
     (_THREADS, "leaves its line"),
+    (_THREADS | _LINE_ALONE, "commands came in 8 s, where 80 are asked for"),
+    (_THREADS | _GROUP | {"self.offset = message": "time.sleep(0.3)\n        self.offset = message"}, "More than one"),
     (_THREADS | _TIMER_ALONE, "The commands come often enough, but from an old offset"),
     (_THREADS | _GROUP | {'"line"': '"lines"'}, "It subscribes to `/lines`"),
     (_THREADS | _GROUP | {'"picture"': '"pictures"'}, "does not subscribe to it"),

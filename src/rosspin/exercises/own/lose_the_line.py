@@ -10,8 +10,8 @@ from ..judging import Answer, say
 
 TITLE = "At which rate is it lost?"
 TEXT = """
-Each command takes computing time. Find the slowest timer, in steps of 0.05 s, with which the vehicle stays on its line
-for 8 s at 2 m/s.
+Commands take computing time, so send as few as you can: find the longest period, in steps of 0.05 s, with which the
+vehicle stays on its line for 8 s at 2 m/s.
 """
 REVEALS = "Any rate will do. The faster, the better, and it costs nothing."
 
@@ -68,19 +68,24 @@ HINTS_CPP = [
 ]
 
 _SLOWEST = 0.3
+_MIXED = "More is sent than one timer asks for: leave one timer, and let each call send one command."
+_TURNS = "The commands come often enough. Is the turn 8.0 times the newest offset, as before?"
 
 
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether the commands are as rare as they can be while the vehicle keeps to its line."""
     run = answer.run(8.0, beside=["vehicle"])
-    followed = follows(run, f"Its wheels are set every {say(between(run))}: too rarely. Make the period shorter.")
+    rare = f"Its wheels are set every {say(between(run))}: too rarely. Make the period shorter."
+    most = max((len(timer.calls) for timer in run.timers), default=0)
+    mixed = _MIXED if len(commands(run)) > most + 1 else ""
+    followed = follows(run, mixed or (_TURNS if between(run) <= _SLOWEST else rare))
     yield followed
     if followed.right:
         text = f"{len(commands(run))} commands came in {say(run.seconds)}, one every {say(between(run))}."
         hint = "It still keeps to its line if they are rarer. Make the period longer, in steps of 0.05 s."
-        if between(run) > _SLOWEST:
+        if abs(between(run) % 0.05 - 0.025) < 0.023:
             hint = f"{say(between(run))} is no multiple of 0.05 s. Which is the longest that keeps it on its line?"
-        yield Finding(abs(between(run) - _SLOWEST) < 0.005, text, hint)
+        yield Finding(abs(between(run) - _SLOWEST) < 0.005 and not mixed, text, mixed or hint)
 
 
 RIGHT = [
@@ -100,6 +105,23 @@ WRONG = [
     ({"0.5, self": "0.25, self"}, "32 commands came in 8 s, one every 0.25 s"),
     ({"0.5, self": "0.2, self"}, "40 commands came in 8 s"),
     ({"0.5, self": "0.05, self"}, "160 commands came in 8 s, one every 0.05 s"),
+    ({"0.5, self": "0.3, self", "8.0 *": "4.0 *"}, "Is the turn 8.0 times the newest offset"),
+    (
+        {
+            "self.create_timer(0.5, self.timer_callback)\n": "self.create_timer(0.5, self.timer_callback)\n"
+            "        self.create_timer(0.3, self.timer_callback)\n"
+        },
+        "leave one timer",
+    ),
+    (
+        {
+            "0.5, self": "0.3, self",
+            "self.publisher.publish(command)\n": "self.publisher.publish(command)\n"
+            "        self.publisher.publish(command)\n",
+        },
+        "let each call send one command",
+    ),
+    ({"0.5, self": "0.29, self"}, "0.29 s is no multiple of 0.05 s"),
     ({"0.5, self": "0.33, self"}, "0.33 s is no multiple of 0.05 s"),
     (
         {

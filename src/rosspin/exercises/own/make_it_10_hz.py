@@ -128,6 +128,11 @@ RIGHT = [
 ]
 WRONG = [
     (
+        {MAKES: f"self.create_timer(0.5, self.timer_callback)\n        {MAKES}"},
+        "came at 0.5 s, not at 0.6 s",
+        "Timers with different periods print these counters, 0.1 s and 0.5 s",
+    ),
+    (
         {SAYS: f"{SAYS}        time.sleep(0.2)\n", "import rclpy\n": "import time\n\nimport rclpy\n"},
         "counter 2 came at 0.3 s, not at 0.2 s",
         "The callback sleeps, at line 17",

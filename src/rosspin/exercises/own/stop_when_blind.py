@@ -76,6 +76,11 @@ _STOP = (
     "Its wheels stay as they were told last. Send a `Twist` with a speed of 0 when nothing has come for 0.5 s: the "
     "timer can look how long ago the last message was."
 )
+_STEER = (
+    "While messages come, steer as before. Is the time of the last one kept whenever one comes, where the timer "
+    "looks for it?"
+)
+_BOTH = "A stop is sent, and then a command that drives on: send one of the two in each call."
 _ALWAYS = (
     "It is stopped in each call. Is the silence compared in its own unit? A difference of two times is a `Duration`: "
     "compare it with one of 0.5 s. Its `nanoseconds` are billionths of a second."
@@ -95,7 +100,7 @@ def check(answer: Answer) -> Iterator[Finding]:
 
 def _stops(run: ObservedRun, first: float, last: float) -> Iterator[Finding]:
     """Whether it stops half a second after the last message, not earlier, and drives on with the next one."""
-    before = follows(run, "Steer as before while messages come.", 0.0, first)
+    before = follows(run, _STEER, 0.0, first)
     sent = commands(run)
     yield before if not sent or any(each.speed for each in sent) else before._replace(hint=_ALWAYS)
     if not before.right:
@@ -112,8 +117,9 @@ def _stops(run: ObservedRun, first: float, last: float) -> Iterator[Finding]:
         text = f"the vehicle was stopped at {say(stopped[0])}, {late} after the last message."
         yield Finding(False, text, "It should be stopped when nothing has come for 0.5 s.")
         return
-    is_mute = not commands(run, due + 0.11, last)
-    yield stands(run, due + 0.11, last, _MUTE if is_mute else _STOP)
+    silent = commands(run, due + 0.11, last)
+    hint = _BOTH if any(not each.speed for each in silent) else _STOP if silent else _MUTE
+    yield stands(run, due + 0.11, last, hint)
     again = [command for command in commands(run, last + 0.01, last + 1.0) if command.speed]
     if not again:
         hint = "When messages come again, steer again: look at each tick how long ago the last one was."
@@ -133,6 +139,7 @@ _LOOKS = (
     f"{_SILENT}        if {_NOW} - self.heard > Duration(seconds=0.5):\n"
     "            self.publisher.publish(command)\n            return\n"
 )
+_HEARD_ONCE = {"self.offset = 0.0\n": f"self.offset = 0.0\n        self.heard = {_NOW}\n"}
 _IN_NS = f"({_NOW} - self.heard).nanoseconds > 0.5"
 RIGHT = [
     _IMPORT | _HEARD | {_SILENT: _LOOKS},
@@ -168,6 +175,19 @@ WRONG = [
         "Silent from 2 s to 3.5 s: from 2.56 s to 3.5 s the vehicle drove",
     ),
     ({}, "the vehicle drove"),
+    (_IMPORT | {_SILENT: _LOOKS} | _HEARD_ONCE, "It was stopped at 0.55 s. While messages come, steer as before"),
+    (_IMPORT | _HEARD | {_SILENT: _LOOKS.replace("            return\n", "")}, "A stop is sent, and then a command"),
+    (_IMPORT | _HEARD | {_SILENT: _LOOKS.replace("seconds=0.5", "0.5")}, "`Duration(seconds=0.5)`"),
+    (_IMPORT | _HEARD | {_SILENT: _LOOKS.replace("seconds=", "sec=")}, "`Duration(seconds=0.5)`"),
+    (_HEARD | {_SILENT: _LOOKS}, "`from rclpy.duration import Duration`"),
+    (
+        _IMPORT | _HEARD | {"self.offset = 0.0\n": "self.offset = 0.0\n        self.heard = 0\n", _SILENT: _LOOKS},
+        "Both have to be times",
+    ),
+    (
+        _HEARD | {_SILENT: _LOOKS, "import rclpy\n": "import rclpy\nfrom builtin_interfaces.msg import Duration\n"},
+        "from rclpy.duration import Duration",
+    ),
     (_HEARD | {_SILENT: _LOOKS.replace("Duration(seconds=0.5)", "0.5")}, "`Duration(seconds=0.5)`"),
     (
         _HEARD | {_SILENT: _LOOKS.replace(f"{_NOW} - self.heard > Duration(seconds=0.5)", _IN_NS)},

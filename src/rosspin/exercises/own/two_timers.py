@@ -187,6 +187,14 @@ RIGHT = [
     },
 ]
 WRONG = [
+    (
+        {
+            f"        {SLOW}\n": "",
+            "        self.fast_counter += 1\n": f"        {SLOW}\n        self.fast_counter += 1\n",
+        },
+        "node has 2",
+        "Each call of a callback makes one more timer",
+    ),
     ({SLOW: SLOW.replace("0.5", "0.4")}, "counter 1 came at 0.4 s, not at 0.5 s", "They come every 0.4 s"),
     (EACH_FIFTH, "one timer prints both `[FAST]` and `[SLOW]`", "a timer of its own for each"),
     (TWO_NODES, "the timers are of two nodes, `/fast` and `/slow`", "One node can have both"),
@@ -194,9 +202,9 @@ WRONG = [
     (
         {"slow_counter": "fast_counter"},
         "`[SLOW]`: where counter 1 was due, counter 6 came",
-        "Something else counts in the same variable:",
+        "Something else counts in the same variable, or prints the same words:",
     ),
-    ({"(0.5,": "(2.0,"}, "`[SLOW]`: counter 1 came at 2 s, not at 0.5 s", AS_MANY),
+    ({"(0.5,": "(2.0,"}, "`[SLOW]`: counter 1 came at 2 s, not at 0.5 s", "They come every 2 s"),
     (
         {"(0.5,": "(5,"},
         "`[SLOW]`: no counter was printed",
@@ -259,9 +267,9 @@ WRONG_CPP = [
     (
         {"slow_counter_++": "counter_++", "slow_counter_);": "counter_);"},
         "`[SLOW]`: where counter 1 was due, counter 5 came",
-        "Something else counts in the same variable:",
+        "Something else counts in the same variable, or prints the same words:",
     ),
-    ({"500ms": "2s"}, "`[SLOW]`: counter 1 came at 2 s, not at 0.5 s", AS_MANY),
+    ({"500ms": "2s"}, "`[SLOW]`: counter 1 came at 2 s, not at 0.5 s", "They come every 2 s"),
     ({"500ms": "5s"}, "`[SLOW]`: no counter was printed", "A timer of the node has a period of 5 s"),
     (
         {"    slow_timer_ =": "    auto slow_timer_ ="},
