@@ -215,7 +215,7 @@ WRONG_CPP = [
     (
         {"slow_counter_++": "counter_++", "slow_counter_);": "counter_);"},
         "`[SLOW]`: where counter 1 was due",
-        "Something else counts in the same variable: give each timer a",
+        "or prints the same words: give each timer a",
     ),
     (
         {"Duration(0.5)": "Duration(2.0)"},
