@@ -270,7 +270,7 @@ def test_a_signal_ends_everything(
 def test_doctor(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["doctor"]) == 0
     *lines, _, _ = capsys.readouterr().out.splitlines()  # the last two are about recordings
-    assert [line.split()[0] for line in lines] == ["stand-in", "rospy", "roscpp", "rclpy", "browser"]
+    assert [line.split()[0] for line in lines] == ["stand-in", "rospy", "roscpp", "rclpy", "browser", "bwrap"]
     assert all(line.split()[1] in ("yes", "no") for line in lines)
     assert [line.split()[1] for line in lines[:3]] == ["yes"] * 3
 
