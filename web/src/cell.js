@@ -527,8 +527,8 @@ export class Cell {
     if (number !== this.#runs) return
     this.#pinned = pinned
     this.pin.hidden = !pinned
-    if (scenes) this.#offerSteps(scenes)
     if (count) this.#plot?.finish(ticks, count, alternative, chunks, end, lost)
+    if (scenes) this.#offerSteps(scenes) // below the plot, which is now as high as it will be
     this.#say(said)
   }
 
