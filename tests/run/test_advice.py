@@ -48,7 +48,12 @@ node = A()
 rclpy.spin(node)
 """
 
-TIMER = "A timer passes its callback no argument: def timer_callback(), or (self) in a class."
+TIMER = (
+    "A timer passes its callback no argument: def timer_callback(), or (self) in a class. Is it the one that should be "
+    "called?"
+)
+SELF = "Its first parameter is the node, since it is a method: def timer_callback(self)."
+MESSAGE = "A subscription passes its callback the message: def callback(message), or (self, message) in a class."
 NUMBER = "The period of a timer comes first and is a number of seconds: create_timer(0.5, self.timer_callback)"
 NEGATIVE = "The period of a timer cannot be negative: give create_timer the seconds from one call to the next."
 DECLARE = 'Declare a parameter before you read it: self.declare_parameter("frequency", ...), with its default.'
@@ -59,12 +64,12 @@ ITSELF = "Pass the callback itself, without calling it: self.timer_callback, not
     ("line", "said"),
     [
         ("self.create_timer(0.5, self.one)", TIMER),
-        ("self.create_timer(0.5, self.wrong)", TIMER),
+        ("self.create_timer(0.5, self.wrong)", SELF),
         ("self.create_timer(0.5, self.nothing())", ITSELF),
         ("self.create_timer(Duration(seconds=0.5), self.nothing)", NUMBER),
         ("self.create_timer(self.nothing, 0.5)", NUMBER),
         ("self.create_timer(-0.5, self.nothing)", NEGATIVE),
-        ('self.create_subscription(String, "topic", self.nothing, 1)', ""),  # rclpy says it well
+        ('self.create_subscription(String, "topic", self.nothing, 1)', MESSAGE),
         ("self.get_parameter('frequency')", DECLARE),
         ("Node('another name')", ""),
         ("1 / 0", ""),
