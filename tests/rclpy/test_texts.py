@@ -129,6 +129,14 @@ for each in Node.get_parameter, lambda: rclpy.qos.Depth, node, executors, tf2:
 """
 
 
+@pytest.mark.parametrize(("ros", "name"), [("rospy", "Rate"), ("rclpy.timer", "Rate"), ("rclpy.node", "Node")])
+def test_a_node_can_read_the_source_of_a_class(tmp_path: Path, ros: str, name: str) -> None:
+    """It names another module than the one of its file."""
+    path = tmp_path / "reading.py"
+    path.write_text(f"import inspect\nimport {ros}\nprint(inspect.getsource({ros}.{name}).splitlines()[0])\n")
+    assert simulate(path, 1).console.startswith(f"class {name}")
+
+
 def test_errors_name_modules_and_methods_as_rclpy_does(tmp_path: Path) -> None:
     path = tmp_path / "naming.py"
     path.write_text(NAMING)

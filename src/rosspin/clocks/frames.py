@@ -19,7 +19,7 @@ from .installed import is_installed_file
 __all__ = [
     *("Place", "Whereabouts", "as_printed", "asleep_in_loop", "called_from", "format_error", "is_installed"),
     *("is_statement", "node_frame", "node_frames"),
-    *("node_place", "outer_place", "outwards", "places", "trail", "trail_of", "warn"),
+    *("node_place", "outer_place", "outwards", "places", "show_in", "trail", "trail_of", "warn"),
 ]
 
 # This package, whose frames are not the node's.
@@ -76,6 +76,14 @@ def warn(text: str, category: type[Warning] = UserWarning) -> None:
     filename, line = places.setdefault((text, category, caller.f_code, caller.f_lineno), place)
     warnings.warn_explicit(text, category, filename, line, registry=registry)
     registry["rosspin"] = places  # Python empties a registry that is new, or whose filters have changed
+
+
+def show_in(kind: type, module: str) -> None:
+    """Let tracebacks and texts show a class in another module. Its line stays known, which Python 3.13 then forgets."""
+    line = vars(kind).get("__firstlineno__")
+    kind.__module__ = module
+    if line is not None:
+        kind.__firstlineno__ = line  # type: ignore[attr-defined]
 
 
 def node_frames(trace: TracebackType | None) -> TracebackType | None:

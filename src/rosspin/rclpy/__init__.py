@@ -13,6 +13,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
+from ..clocks.frames import show_in
 from ..world.world import World, current_world, refusing
 from . import (
     action,
@@ -343,7 +344,7 @@ _HOMES = {
 for _name, _module in MODULES.items():
     for _value in [value for value in vars(_module).values() if isinstance(value, type)]:
         if _value.__module__ == _module.__name__:
-            _value.__module__ = _HOMES.get(_value.__name__, _name)
+            show_in(_value, _HOMES.get(_value.__name__, _name))
 
 
 def for_process() -> ModuleType:

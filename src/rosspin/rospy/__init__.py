@@ -11,6 +11,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
+from ..clocks.frames import show_in
 from ..messages import MessageFinder, genpy, ros1
 from ..messages.ros1 import Message
 from ..world.world import NotSimulated
@@ -104,7 +105,7 @@ _HOMES = dict.fromkeys(("Service", "ServiceProxy"), "rospy.impl.tcpros_service")
 for _name in ("rospy.service", "rospy.timer", "rospy.topics"):
     for _value in [value for value in vars(MODULES[_name]).values() if isinstance(value, type)]:
         if _value.__module__ == MODULES[_name].__name__:
-            _value.__module__ = _HOMES.get(_value.__name__, _name)
+            show_in(_value, _HOMES.get(_value.__name__, _name))
 
 # Few nodes ask for these of genpy.message.
 _FILLING = {"fill_message_args", "get_message_class", "get_printable_message_args", "get_service_class"}
