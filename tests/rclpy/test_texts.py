@@ -131,7 +131,7 @@ for each in Node.get_parameter, lambda: rclpy.qos.Depth, node, executors, tf2:
 
 @pytest.mark.parametrize(("ros", "name"), [("rospy", "Rate"), ("rclpy.timer", "Rate"), ("rclpy.node", "Node")])
 def test_a_node_can_read_the_source_of_a_class(tmp_path: Path, ros: str, name: str) -> None:
-    """It names another module than the one of its file."""
+    """It names another module than its file has."""
     path = tmp_path / "reading.py"
     path.write_text(f"import inspect\nimport {ros}\nprint(inspect.getsource({ros}.{name}).splitlines()[0])\n")
     assert simulate(path, 1).console.startswith(f"class {name}")
