@@ -7,7 +7,7 @@ import re
 import sys
 from collections.abc import Mapping
 from difflib import get_close_matches
-from types import FrameType, ModuleType
+from types import FrameType, ModuleType, TracebackType
 
 from ..clocks.frames import node_frames
 from ..rospy.exceptions import ROSInitException
@@ -120,7 +120,12 @@ def _home(error: ImportError) -> str:
     if home := _module_of(found[1], modules):
         return f"It is in another module: `from {home} import {found[1]}`."
     near = get_close_matches(found[1], vars(modules[found[2]]) if found[2] in modules else (), 1, 0.8)
-    return f"`{found[2]}` has a `{near[0]}`. Is it that?" if near else ""
+    return f"`{found[2]}` has {_a(near[0])}. Is it that?" if near else ""
+
+
+def _a(name: str) -> str:
+    """Write a name with its article."""
+    return f"{'an' if name[0].lower() in 'aeiou' else 'a'} `{name}`"
 
 
 def _lacks(error: AttributeError) -> str:
@@ -161,8 +166,7 @@ def _meant(error: AttributeError) -> str:
         return "A publisher publishes: `self.publisher.publish(...)`, if that is where you keep it."
     near = get_close_matches(error.name.lower().replace("_", ""), names, 1, 0.85)
     if near and names[near[0]] != f"{error.name}s":
-        article = "an" if names[near[0]][0] in "aeiou" else "a"
-        return f"There is {article} `{names[near[0]]}`. Is it that?"
+        return f"There is {_a(names[near[0]])}. Is it that?"
     if error.name in _OF_NODES:
         return f"A `Node` has `{error.name}`. Is the class one of these, `class {type(error.obj).__name__}(Node)`?"
     return ""
@@ -358,17 +362,21 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
     return ""
 
 
-def _names_rclpy(error: BaseException) -> bool:
-    """Whether an error was raised in code that has imported rclpy."""
+def _last(error: BaseException) -> TracebackType | None:
+    """Return where in its traceback an error was raised."""
     trace = error.__traceback__
     while trace and trace.tb_next:
         trace = trace.tb_next
+    return trace
+
+
+def _names_rclpy(error: BaseException) -> bool:
+    """Whether an error was raised in code that has imported rclpy."""
+    trace = _last(error)
     return bool(trace and "rclpy" in trace.tb_frame.f_globals)
 
 
 def _innermost(error: BaseException) -> FrameType | None:
     """Return the frame in which an error was raised, if that was in a stand-in and not in a line of the node."""
-    trace = error.__traceback__
-    while trace and trace.tb_next:
-        trace = trace.tb_next
+    trace = _last(error)
     return trace.tb_frame if trace and node_frames(trace) is None else None

@@ -12,7 +12,10 @@ from .feedback import Finding
 from .judging import plain, say
 from .observed import ObservedRun
 
-__all__ = ["between", "commands", "driver_cpp", "follows", "is_rare", "stands", "unmoved"]
+__all__ = ["TURNS", "between", "commands", "driver_cpp", "follows", "is_rare", "stands", "unmoved"]
+
+TURNS = "The commands come often enough. Is the turn 8.0 times the newest offset, as before?"
+"""The hint for an answer that steers often enough, and not well."""
 
 _LEAST = 0.9  # of the way that it can go, it has to go so much
 _LONGEST = 0.35  # s; commands that come as rarely as this lose the line
@@ -180,8 +183,7 @@ def _why(run: ObservedRun, sent: Sequence[Command]) -> str:
 
 def _unheard(run: ObservedRun) -> str:
     """Say why no command was made from what the sensor saw."""
-    heard = run.endpoints_of("/line", False)
-    if not heard:
+    if not run.endpoints_of("/line", False):
         others = [each.topic for each in run.endpoints if not each.publishes and each.topic not in _OWN]
         where = f"It subscribes to `{plain(others[0])}`" if others else "It subscribes to nothing"
         return f"{where}, and the vehicle says on `line` how far off it is."

@@ -37,6 +37,7 @@ _DAEMON = (
 )
 _ZERO = "In Python `1 // 10` is 0, and `1 / 10` is 0.1. A decimal number has a point: `0,1` is two numbers, 0 and 1."
 _ZERO_IN_CPP = "In C++, `1 / 10` is 0, as both are whole numbers, and `1 / 10.0` is 0.1."
+# What to say of more timers that run in the end than an exercise needs, and how many it needs at most.
 MADE_AGAIN = "Each call of a callback makes one more timer: make it once, where the node is made."
 MANY_TIMERS = 9
 _NAMES = {"python": "Python", "cpp": "C++"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .. import Finding
-from ..driving import between, commands, follows, is_rare
+from ..driving import TURNS, between, commands, follows, is_rare
 from ..judging import Answer, say
 
 TITLE = "Follow the line"
@@ -116,7 +116,6 @@ HINTS_CPP = [
     "The period is `100ms`, and the callback `[this] { steer(); }`.",
 ]
 
-_TURNS = "The commands come often enough. Is the turn 8.0 times the newest offset, as before?"
 _PERIOD = 0.1
 _AGAIN = "Its wheels stay as they were told last. Tell them again, ten times a second or so."
 
@@ -124,7 +123,7 @@ _AGAIN = "Its wheels stay as they were told last. Tell them again, ten times a s
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether a timer steers, and the vehicle keeps to its line."""
     run = answer.run(8.0, beside=["vehicle"])
-    followed = follows(run, _AGAIN if is_rare(run) else _TURNS)
+    followed = follows(run, _AGAIN if is_rare(run) else TURNS)
     yield followed
     if not followed.right:
         return

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .. import Finding
-from ..driving import between, commands, driver_cpp, follows
+from ..driving import TURNS, between, commands, driver_cpp, follows
 from ..judging import Answer, say
 
 TITLE = "At which rate is it lost?"
@@ -69,7 +69,6 @@ HINTS_CPP = [
 
 _SLOWEST = 0.3
 _MIXED = "More is sent than one timer asks for: leave one timer, and let each call send one command."
-_TURNS = "The commands come often enough. Is the turn 8.0 times the newest offset, as before?"
 
 
 def check(answer: Answer) -> Iterator[Finding]:
@@ -78,12 +77,13 @@ def check(answer: Answer) -> Iterator[Finding]:
     rare = f"Its wheels are set every {say(between(run))}: too rarely. Make the period shorter."
     most = max((len(timer.calls) for timer in run.timers), default=0)
     mixed = _MIXED if len(commands(run)) > most + 1 else ""
-    followed = follows(run, mixed or (_TURNS if between(run) <= _SLOWEST else rare))
+    followed = follows(run, mixed or (TURNS if between(run) <= _SLOWEST else rare))
     yield followed
     if followed.right:
         text = f"{len(commands(run))} commands came in {say(run.seconds)}, one every {say(between(run))}."
         hint = "It still keeps to its line if they are rarer. Make the period longer, in steps of 0.05 s."
-        if abs(between(run) % 0.05 - 0.025) < 0.023:
+        steps = between(run) / 0.05
+        if abs(steps - round(steps)) > 0.05:
             hint = f"{say(between(run))} is no multiple of 0.05 s. Which is the longest that keeps it on its line?"
         yield Finding(abs(between(run) - _SLOWEST) < 0.005 and not mixed, text, mixed or hint)
 
