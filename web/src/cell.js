@@ -1,7 +1,6 @@
 // A listing that can be edited and run: its buttons, its status line, what its runs show.
 
 import { ANSWER, LOADS_CLANG } from "./answers.js"
-import { Console } from "./console.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { Kept } from "./kept.js"
 import { find, make } from "./make.js"
@@ -69,6 +68,8 @@ export class Cell {
   #simulates // whether its first line says for how long it runs
   /** @type {import("./plot.js").Plot | null} */
   #plot = null // of what runs have done, from the first one on
+  /** @type {import("./console.js").Console | null} */
+  #printed = null // what they have printed, likewise
   /** @type {HTMLElement | null} */
   #made = null // the plot that was made with the page, if there is one
   /** @type {HTMLElement | null | undefined} */
@@ -156,8 +157,9 @@ export class Cell {
     this.pin.title = "Copy a test for pytest that expects what this run has shown"
     this.pin.hidden = true
     if (this.isCpp) this.edit.title = CLANG
-    const file = this.exercise && !this.isCpp ? "" : this.#filename
-    this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
+    // The status line says how it went; read out, a flood would drown everything.
+    const properties = { className: "live-console", role: "log", ariaLive: "off", ariaLabel: `Console of ${this.#name}` }
+    this.console = make("div", { ...properties, tabIndex: 0, hidden: true })
     this.notice = make("p", { className: "live-notice", hidden: true })
     this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
     listing.append(...this.#arranged())
@@ -173,7 +175,7 @@ export class Cell {
     bar.append(this.run, this.both, this.mixed, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
     const [seconds, speed, args] = [make("label", {}, this.seconds, " s"), this.speed, this.arguments]
     bar.append(...(this.exercise ? [] : this.#simulates ? [speed] : [seconds, speed, args]), this.progress, this.status)
-    const parts = [this.notice, this.copied, this.#made ?? "", this.console.element]
+    const parts = [this.notice, this.copied, this.#made ?? "", this.console]
     const onward = this.exercise && !this.#pre.closest(".sd-tab-set") ? document.querySelectorAll(".exercise-next") : []
     return [bar, make("div", { className: "live-cell" }, ...parts, ...onward)]
   }
@@ -182,7 +184,7 @@ export class Cell {
   #reveal() {
     const { bottom } = /** @type {HTMLElement} */ (this.run.parentElement).getBoundingClientRect()
     const isStuck = bottom > innerHeight - 1 && bottom < innerHeight + 1
-    if (isStuck) this.console.element.parentElement?.scrollIntoView({ block: "nearest" })
+    if (isStuck) this.console.parentElement?.scrollIntoView({ block: "nearest" })
   }
 
   /** Whether it is in C++. */
@@ -421,7 +423,7 @@ export class Cell {
    * @param {boolean} runs
    */
   #clear(runs) {
-    this.console.clear()
+    this.#printed?.clear()
     this.#plot?.clear()
     this.#plot?.drive([])
     this.#endSteps()
@@ -466,15 +468,17 @@ export class Cell {
   }
 
   /**
-   * Have a plot ready, before anything comes of a run that should last so long.
+   * Have a plot and a console ready, before anything comes of a run that should last so long.
    *
    * @param {number} seconds
    */
   #expect(seconds) {
     load(this.#base).then(
-      ({ Plot }) => {
+      ({ Console, Plot }) => {
+        const file = this.exercise && !this.isCpp ? "" : this.#filename
+        this.#printed ??= new Console(this.console, file, (line) => this.#edit(line))
         if (!this.#plot) {
-          this.#plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
+          this.#plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.#printed?.mark(chunks))
           this.copied.after(this.#plot.driven, this.#plot.element)
         }
         this.#plot.expect(seconds)
@@ -498,11 +502,11 @@ export class Cell {
     } else if (message.kind === "faults") {
       if (message.filename === this.#filename) this.#blame(message.faults)
     } else if (message.kind === "batch") {
-      this.console.print(message.chunks, message.leftOut)
+      this.#printed?.print(message.chunks, message.leftOut)
       this.#plot?.add(message.ticks)
     } else if (message.kind === "end") {
       this.#worker = null
-      this.console.finish()
+      this.#printed?.finish()
       const { result } = message
       this.#plot?.drive(result.drive)
       if ("solved" in result) this.#say((result.verdict || SEE_CONSOLE) + this.#progress(result.solved))
@@ -510,9 +514,9 @@ export class Cell {
       if (!("scenes" in result && result.scenes)) this.#reveal()
     } else {
       this.#end()
-      this.console.print([[true, `${message.reason}\n`, 0, 0]], 0)
-      this.console.finish()
-      this.#say(`error: ${this.isCpp ? "it" : "Python"} stopped`)
+      this.#printed?.print([[true, `${message.reason}\n`, 0, 0]], 0)
+      this.#printed?.finish()
+      this.#say(`error: ${this.#printed ? `${this.isCpp ? "it" : "Python"} stopped` : message.reason}`)
     }
   }
 
@@ -523,41 +527,18 @@ export class Cell {
   async #finish(result, job) {
     const { count, ticks, lost, chunks, alternative, end, scenes } = result
     const number = this.#runs
-    const { said, pinned } = (await load(this.#base)).outcome(result, job, this.console.whole)
+    const { outcome, offerSteps } = await load(this.#base)
+    const { said, pinned } = outcome(result, job, this.#printed?.whole ?? null)
     if (number !== this.#runs) return
     this.#pinned = pinned
     this.pin.hidden = !pinned
     if (count) this.#plot?.finish(ticks, count, alternative, chunks, end, lost)
-    if (scenes) this.#offerSteps(scenes) // below the plot, which is now as high as it will be
+    if (scenes) {
+      const listing = { name: this.#name, pre: this.#pre, ran: this.#ran }
+      // Below the plot, which is now as high as it will be.
+      this.#endSteps = offerSteps(this.console, this.#base, listing, scenes, () => this.#reveal())
+    }
     this.#say(said)
-  }
-
-  /**
-   * Let the reader go through what a run did, step by step. Who waits for whom is drawn immediately.
-   *
-   * @param {import("./protocol.js").Scenes} scenes
-   */
-  async #offerSteps(scenes) {
-    /** @type {() => Promise<typeof import("./stepper.js")>} */
-    const load = () => import(`${this.#base}stepper.js`)
-    const steps = make("div", { className: "live-steps" })
-    let end = () => {}
-    this.#endSteps = () => {
-      end()
-      steps.remove()
-    }
-    this.console.element.before(steps)
-    if (scenes.steps.length) {
-      const [name, pre, ran] = [this.#name, this.#pre, this.#ran]
-      const button = make("button", { type: "button", textContent: "Step through this run" })
-      button.addEventListener("click", async () => {
-        const { open } = await load()
-        if (button.isConnected) end = open(button, name, scenes, pre, ran)
-      })
-      steps.append(button)
-    }
-    if (scenes.rings.length) steps.append(...(await load()).drawn(scenes.rings))
-    this.#reveal()
   }
 
   /**
@@ -568,7 +549,7 @@ export class Cell {
   #progress(solved) {
     if (!solved) return ""
     const said = this.#kept.solve?.(this.#ran === this.#original ? null : this.#ran)
-    this.console.element.after(...document.querySelectorAll(".exercise-next"))
+    this.console.after(...document.querySelectorAll(".exercise-next"))
     showProgress()
     return said ?? ` You have solved ${progress()}.`
   }
@@ -585,7 +566,7 @@ export class Cell {
 
   #stop() {
     this.#end()
-    this.console.finish()
+    this.#printed?.finish()
     this.#plot?.stop()
     this.#say("stopped")
   }

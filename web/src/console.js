@@ -44,23 +44,22 @@ export class Console {
   #all // whether lines of stdout are searched for it, too
 
   /**
-   * `goTo(line)` is called when the reader chooses a line of the file `filename`, such as one in a traceback. In what
-   * is said of an answer to an exercise, which has no `filename`, all lines are such.
+   * It is shown in an `element`. `goTo(line)` is called when the reader chooses a line of the file `filename`, such as
+   * one in a traceback. In what is said of an answer to an exercise, which has no `filename`, all lines are such.
    *
-   * @param {string} name
+   * @param {HTMLElement} element
    * @param {string} filename
    * @param {(line: number) => void} goTo
    */
-  constructor(name, filename, goTo) {
+  constructor(element, filename, goTo) {
     const file = filename.replace(/[^\w ]/g, "\\$&")
     this.#all = !filename
     this.#place = this.#all
       ? /"<answer>", line (\d+)|\bin line (\d+)/
       : new RegExp(`File "${file}", line (\\d+)|${file}:(\\d+)`)
     this.#goTo = goTo
-    // The status line says how it went; read out, a flood would drown everything.
-    const properties = { className: "live-console", role: "log", ariaLive: "off", ariaLabel: name, tabIndex: 0 }
-    this.element = make("div", properties, this.#notice, this.#text)
+    this.element = element
+    element.append(this.#notice, this.#text)
     this.clear()
   }
 

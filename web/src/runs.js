@@ -5,7 +5,8 @@ import { ANSWER, isCpp } from "./answers.js"
 import { Fault, load } from "./files.js"
 import { CPP, PYTHON, Sandbox } from "./sandboxes.js"
 
-export { outcome } from "./outcome.js"
+export { Console } from "./console.js"
+export { offerSteps, outcome } from "./outcome.js"
 export { Plot } from "./plot.js"
 export { Sandbox }
 

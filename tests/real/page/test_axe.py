@@ -36,6 +36,7 @@ def test_shared_code(page: Page, address: str, cell: int) -> None:
     page.add_init_script("delete Navigator.prototype.clipboard")
     page.goto(f"{address}{TUTORIAL}?lang=python{link(cell=cell, text='argv')}")
     page.locator(".live-notice:visible").wait_for()
+    page.locator("details").evaluate_all("all => all.forEach((each) => (each.open = true))")
     Cell(page, TIMER).button("Copy link").click()
     page.locator("textarea:visible").wait_for()
     assert in_both_schemes(page) == []
