@@ -353,13 +353,16 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
     return node
 
 
-def lines(console: str) -> list[list[str]]:
+def lines(console: str, pooled: bool) -> list[list[str]]:
     """The node's lines, sorted within an instant: which of them comes first is not promised.
 
-    Without the ids of goals, which are random, and the frames of tracebacks.
+    Without the ids of goals, which are random, and the frames of tracebacks; and without what the threads of a pool, if
+    callbacks were called by one, still did at the instant in which an exception ended the node.
     """
     said = _IDS.sub("Goal ID", console).splitlines()
-    return sorted(line.split() for line in said if not line.startswith(("rosspin: ", "  ")))
+    found = sorted(line.split() for line in said if not line.startswith(("rosspin: ", "  ")))
+    end = next((line[0] for line in found if line[1:3] == ["ends", "with"]), "")
+    return [line for line in found if line[0] != end or "ends" in line[1:2]] if pooled else found
 
 
 def do_the_same(folder: Path, spec: dict[str, Any]) -> None:
@@ -371,4 +374,5 @@ def do_the_same(folder: Path, spec: dict[str, Any]) -> None:
     finally:
         gc.enable()
     theirs_said = _HALF_MADE.sub("", theirs.console)
-    assert (ours.status, lines(ours.console)) == (theirs.status, lines(theirs_said))
+    pooled = spec["executor"].startswith("multi")
+    assert (ours.status, lines(ours.console, pooled)) == (theirs.status, lines(theirs_said, pooled))
