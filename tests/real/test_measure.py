@@ -249,3 +249,17 @@ def test_an_action_on_the_wall_clock(write: Any) -> None:
     assert (goal.service, goal.response.accepted) == ("/fibonacci/_action/send_goal", True)
     assert result.asked <= result.answered
     assert result.response.result.sequence.tolist() == [2]
+
+
+def test_ticks_of_ros2_are_expected_on_their_grid_whatever_comes_between(write: Any) -> None:
+    source = """
+    import rclpy
+
+    rclpy.init()
+    node = rclpy.create_node("n")
+    node.create_timer(0.02, lambda: None)
+    rclpy.spin(node)
+    """
+    run = measure(write(source), 1.0)
+    places = [(tick.expected - run.ticks[0].expected) / 0.02 for tick in run.ticks]
+    assert places and all(abs(place - round(place)) < 1e-5 for place in places)

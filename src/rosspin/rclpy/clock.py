@@ -153,9 +153,13 @@ class Clock(Held):
         self._clock_type = clock_type
         self._rosspin_state = state()
         # The time in ns: looked up once, as each tick asks several times.
-        self._rosspin_ns: Callable[[], int] = self._rosspin_state.clock.system
+        clock = self._rosspin_state.clock
+        self._rosspin_ns: Callable[[], int] = clock.system
+        self._rosspin_ahead: Callable[[], int] = lambda: clock.ahead  # of the run's time
         if clock_type is ClockType.STEADY_TIME:
             self._rosspin_ns = time.monotonic_ns
+            ahead = time.monotonic_ns() - clock.now()
+            self._rosspin_ahead = lambda: ahead
         self._rosspin_flows = True  # whether its time passes by itself
         self._rosspin_changes = 0  # how often the source of its time has changed
         self._rosspin_watchers: list[Event] = []  # set when the time jumps

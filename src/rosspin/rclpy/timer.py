@@ -180,11 +180,9 @@ class Timer(Held):
         tick = None
         if self._rosspin_ticks is not None:
             self._rosspin_count += 1
-            began = self._rosspin_in_run()
-            tick = (
-                self._rosspin_ticks.add(self._rosspin_source, self._rosspin_count, expected + began - now, began),
-                began,
-            )
+            began = self._rosspin_stamp(now)
+            due = self._rosspin_stamp(expected)
+            tick = self._rosspin_ticks.add(self._rosspin_source, self._rosspin_count, due, began), began
         return self._rosspin_callback, self._rosspin_info(expected, now) if self._rosspin_wants_info else (), tick
 
     def _rosspin_info(self, expected: int, now: int) -> tuple[TimerInfo]:
@@ -193,16 +191,11 @@ class Timer(Held):
 
     def _rosspin_stamp(self, ns: int) -> int:
         """Return a time of this timer's clock as it is recorded: on the run's clock, unless /clock tells ROS time."""
-        return (
-            ns + self._clock._rosspin_state.clock.now() - self._clock._rosspin_ns()
-            if self._clock._rosspin_flows
-            else ns
-        )
+        return ns - self._clock._rosspin_ahead() if self._clock._rosspin_flows else ns
 
     def _rosspin_in_run(self) -> int:
         """Return the present time as it is recorded."""
-        clock = self._clock
-        return clock._rosspin_state.clock.now() if clock._rosspin_flows else clock._rosspin_ns()
+        return self._rosspin_stamp(self._clock._rosspin_ns())
 
     # --- what executors ask, even of a destroyed timer ----------------------------------------------------------------
 
