@@ -15,7 +15,6 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from .clocks.clock import Clock, WallClock
 from .clocks.descendants import adopt_orphans, descendants, kill_descendants
 from .clocks.explored import Order
 from .clocks.frames import Whereabouts, node_place
@@ -40,6 +39,7 @@ from .run.process import leave
 from .run.roslaunch.launch import read_launch
 from .run.simulate import prepare, run_in_order, run_node, run_nodes, several, tell_uncalled, with_jitter
 from .run.source import is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
+from .run.wall import wall_clock
 from .world.graph import TickLog
 
 __all__ = ["main"]
@@ -269,8 +269,8 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         raise ValueError("several nodes run in simulated time only: --simulated")
     of_ros2 = is_launch_of_ros2(options.file)
     launched = options.file.endswith(".launch") or of_ros2
-    if not (options.ros1 or options.simulated) and language_of(options.file):
-        raise ValueError(f"{options.file}: C++ nodes run in simulated time or on the real ROS 1: --simulated or --ros1")
+    if options.ros2 and language_of(options.file):
+        raise ValueError(f"{options.file}: on a real ROS, C++ nodes run on ROS 1 only: --ros1")
     if launched and not (of_ros2 or options.ros1 or options.simulated):
         raise ValueError(
             f"{options.file}: launch files run in simulated time or on the real ROS 1: --simulated or --ros1"
@@ -324,10 +324,9 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         prepared = prepare(files, args, options.skip_cpp, Order.of(options.schedule).deep, faults)
         return run_in_order(prepared, options.seconds, options.schedule, options.start or 0.0, ticks)
     launched = several(files, args, options.skip_cpp)
-    clock: Clock = Simulation(duration(options.start or 0.0, "start")) if options.simulated else WallClock()
+    simulation = Simulation(duration(options.start or 0.0, "start"))
     if launched:
-        assert isinstance(clock, Simulation)
-        return run_nodes(launched, options.seconds, clock, ticks, faults=faults)
+        return run_nodes(launched, options.seconds, simulation, ticks, faults=faults)
     if options.alone:
         adopt_orphans()
     before = descendants(os.getpid())  # the children of a shell that this process replaced
@@ -341,7 +340,9 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         end_others()
 
     try:
-        return run_node(load(options.file), options.seconds, args, clock, ticks, give_up, faults)
+        node = load(options.file)
+        clock = simulation if options.simulated else wall_clock(node)
+        return run_node(node, options.seconds, args, clock, ticks, give_up, faults)
     finally:
         end_others()
 

@@ -127,7 +127,8 @@ class SimulatedProgram:
         with watch(simulation.sign_of_life) as watchdog:
             simulation.taking_down = watchdog.taking_down
             with simulated_threads(self._program), virtual_time(), simulated_signals(), self._builtins, self._loops:
-                yield
+                with simulation.heeding_signals(self._program):
+                    yield
 
 
 def begin_beside(main: Callable[[], object], program: Program, simulation: Simulation) -> None:

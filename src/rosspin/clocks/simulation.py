@@ -334,6 +334,10 @@ class Simulation:
         """Whether nothing more can happen."""
         return self._closed
 
+    def heeding_signals(self, program: Program) -> AbstractContextManager[None]:
+        """Return a context in which signals that come from outside are for a program: in simulated time none are."""
+        return contextlib.nullcontext()
+
     def suspended(self) -> list[Stack]:
         """The stacks that have begun and not ended, in the order of their beginning."""
         return [stack for stack in self._stacks if stack]

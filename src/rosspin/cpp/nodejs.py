@@ -16,6 +16,7 @@ from typing import Any
 
 from ..clocks.frames import Place
 from ..clocks.programs import end_run
+from ..clocks.real_time import RealTime
 from ..clocks.simulation import Simulation
 from ..programs import Batch, Program
 from ..world.world import World
@@ -38,7 +39,14 @@ _PROCESS = 2
 
 def program(built: Built, path: str) -> Program:
     """Return what runs a compiled node, whose source is ``path``, when it is called."""
-    return Program(built.ros, path, partial(_Child, built, path), built.warnings)
+    return Program(built.ros, path, partial(_Child, built, path), partial(_load, built), built.warnings)
+
+
+def _load(built: Built) -> None:
+    child = _begin()
+    child.stdin.write(json.dumps({"program": str(built.program), "loads": True}).encode() + b"\n")
+    child.stdout.readline()
+    IDLE.append(child)
 
 
 class _Child:
@@ -88,6 +96,8 @@ class _Child:
                     self._world.failure = RuntimeError(f"{self._path}: Node.js has ended, status {status}")
                     end_run()
                 self._data += data
+            elif isinstance(self._clock, RealTime):
+                self._clock.give_up_if_overdue()
             elif used is None:
                 used = self._used()
             elif self._used() - used > _MOST:

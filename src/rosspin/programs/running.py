@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 from typing import Any, Protocol
 
+from ..clocks.real_time import RealTime
 from ..clocks.simulation import Simulation
 from ..clocks.stacks import current
 from ..world.world import NotSimulated, World, current_world
@@ -46,20 +47,27 @@ class Child(Protocol):
 class Program:
     """Runs a compiled node of a ROS, whose source is ``path``, when it is called; ``begin`` makes what it runs in.
 
-    ``warnings`` are what the compiler has said of it.
+    ``load`` has that ready, so that it begins immediately. ``warnings`` are what the compiler has said of it.
     """
 
-    def __init__(self, ros: int, path: str, begin: Callable[[World, Simulation], Child], warnings: str = "") -> None:
+    def __init__(
+        self,
+        ros: int,
+        path: str,
+        begin: Callable[[World, Simulation], Child],
+        load: Callable[[], None] = lambda: None,
+        warnings: str = "",
+    ) -> None:
         self.ros = ros
         self.path = path
         self.begin = begin
+        self.load = load
         self.warnings = warnings
 
     def __call__(self) -> None:
         """Run it to its end, on a stack of a simulation, within a process. Raises SystemExit with its status."""
         world = current_world()
-        if not isinstance(world.clock, Simulation):
-            raise NotSimulated("C++ on the wall clock", "in simulated time, or on a real ROS")
+        assert isinstance(world.clock, Simulation)
         world.bind(self.ros)
         Running(self, world, world.clock).run()
 
@@ -103,6 +111,7 @@ class Running:
             "start": str(self._clock.now()),
             "ahead": str(self._clock.ahead),
             "seed": random.getrandbits(32),
+            **({"real": str(self._clock.offset)} if isinstance(self._clock, RealTime) else {}),
         }
 
     def _follow(self, batch: Batch) -> dict[str, Any]:

@@ -21,6 +21,7 @@ from ..clocks.explored import ExploredSimulation
 from ..clocks.frames import Whereabouts
 from ..clocks.patches import Patch, patched
 from ..clocks.programs import Killed, LastResort, SimulatedProgram, begin_beside, run_on_the_wall
+from ..clocks.real_time import FOREVER
 from ..clocks.signals import Died
 from ..clocks.simulation import Simulation, Standstill
 from ..clocks.stacks import Program, telling_turns
@@ -344,13 +345,13 @@ class Host:
         return None if self.supervisor else nanoseconds(self.ending.patience)
 
     def run(self, until: int) -> None:
-        """Let the simulated time pass to ``until`` (ns after its start), press Ctrl-C, and let the processes end.
+        """Let the time pass to ``until`` (ns after the clock's start), press Ctrl-C, and let the processes end.
 
         This does what :meth:`advance` and :meth:`interrupt` do. All three should be called within :meth:`inside`.
         """
         if self.faults:
             self.faults.fits(until)
-        with self._explained(until / NS):
+        with self._explained(None if until == FOREVER else until / NS):
             self._program.run(self.recording.start + until, self._patience)
         self._tell_idle_faults()
 

@@ -7,9 +7,10 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
-from ..clocks.clock import Clock
+from ..clocks.clock import Clock, nanoseconds
 from ..clocks.ctrl_c import Ending
 from ..clocks.explored import ExploredSimulation, Order
+from ..clocks.real_time import FOREVER, RealTime
 from ..clocks.simulation import Simulation
 from ..results.ticks import Run
 from ..world.graph import TickLog
@@ -180,7 +181,8 @@ def run_captured(
     with capture(*streams) as console:
         result = run_node(node, seconds, args, clock, TickLog(), faults=faults)
     tell_uncalled(result, seconds, *streams[1:])
-    runtime = "simulated" if isinstance(clock, Simulation) else "wall"
+    is_simulated = isinstance(clock, Simulation) and not isinstance(clock, RealTime)
+    runtime = "simulated" if is_simulated else "wall"
     return result.run(console.text(), runtime, seconds)
 
 
@@ -215,7 +217,10 @@ def run_node(
     warn_of_files([node])
     with host.inside():
         host.add(node, args)
-        if isinstance(clock, Simulation):
+        if isinstance(clock, RealTime):
+            clock.patience = nanoseconds(host.ending.patience)
+            host.run(FOREVER if until is None else until)
+        elif isinstance(clock, Simulation):
             assert until is not None
             host.run(until)
         else:

@@ -19,10 +19,12 @@ from contextlib import contextmanager, suppress
 from functools import partial
 from typing import Any, TextIO
 
-from ..clocks.clock import WallClock
+from ..clocks.clock import Clock, WallClock
 from ..clocks.descendants import adopt_orphans, kill_descendants
 from ..clocks.frames import node_frames
+from ..clocks.real_time import RealTime
 from ..messages import pickles
+from ..programs import Program
 from ..results.ticks import Call, Message, Run, Tick
 from ..world.graph import TickLog
 from .host import Host, Result, duration
@@ -32,7 +34,7 @@ from .simulate import run_captured, run_node
 from .source import Code, NodeLike, folder_of, load, load_source, refuse_text
 from .streams import Capture, byte_stream
 
-__all__ = ["measure", "measured"]
+__all__ = ["measure", "measured", "wall_clock"]
 
 # The node's process sends pieces that a pipe takes as a whole, whoever else writes into it: kind and length, then that
 # many bytes.
@@ -64,7 +66,7 @@ def measure(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
 def measured(node: Code, seconds: float, args: Sequence[str], *streams: TextIO) -> Run:
     """Run a loaded node as :func:`measure` does. What it prints also goes to ``streams``: stdout's and stderr's."""
     if node.source is None or not hasattr(os, "fork"):
-        return run_captured(WallClock(), node, seconds, args, *streams)
+        return run_captured(wall_clock(node), node, seconds, args, *streams)
     refuse_a_run_within_a_run()
     duration(seconds)
     console = Capture(*streams)
@@ -172,6 +174,14 @@ class _Apart:
             raise RuntimeError(f"the process of the node did not start (status {self._child.returncode})")
         status = self._child.returncode  # something has killed it
         return 128 - status if status < 0 else status, self._start, [], [], []
+
+
+def wall_clock(node: Code) -> Clock:
+    """Make the clock on which a node runs in real time, and have ready what it runs in."""
+    if not isinstance(node.main, Program):
+        return WallClock()
+    node.main.load()
+    return RealTime()
 
 
 @contextmanager

@@ -19,10 +19,12 @@ const LONG = 5_000
 export class Node {
   /**
    * `exchange(batch)` tells the host of a batch and returns its answer; `pass(batch)` tells it of one that wants none.
+   * If the time is real, `real` is what it is ahead of the clock of this computer that never jumps.
    */
-  constructor(module, { args, environment, start, ahead, seed }, exchange, pass) {
+  constructor(module, { args, environment, start, ahead, seed, real }, exchange, pass) {
     this.exchange = exchange
     this.pass = pass
+    this.real = real && BigInt(real)
     this.start = BigInt(start)
     this.ahead = BigInt(ahead)
     this.log = []
@@ -37,6 +39,12 @@ export class Node {
     this.shared = shared
     shared.now = shared.horizon = this.start
     shared.ahead = this.ahead
+    shared.real = this.real !== undefined
+  }
+
+  /** Look at the clock, if the time is real. */
+  touch() {
+    if (this.real !== undefined) this.shared.now = process.hrtime.bigint() + this.real
   }
 
   /** Run it. With threads, it is a promise. */
@@ -77,6 +85,7 @@ export class Node {
     // A host that never lets it run on its own is told of a tick before what is printed in it.
     if (this.shared.horizon <= this.shared.now) this.tellTicks()
     this.note("out", fd, text)
+    if (this.real !== undefined) this.pass(this.#batch({}))
   }
 
   random(bytes) {
@@ -144,6 +153,7 @@ export class Node {
     const node = this
     return {
       wait: out((until) => node.sleep(until)),
+      touch: () => this.touch(),
       source: (name, length, period) => {
         this.note("source", program.text(name, length), String(period))
         return this.sources++

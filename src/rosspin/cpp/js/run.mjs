@@ -1,6 +1,6 @@
 // Runs C++ nodes, one after the other, for a host that talks over pipes. A line of JSON from the host starts one, then
 // there is a line for each batch and a line for each answer (see node.mjs); of its ticks a batch says
-// how many bytes they are, which follow it.
+// how many bytes they are, which follow it. A line that only `loads` one is answered when that is done.
 
 import { readFileSync, readSync, writeSync } from "node:fs"
 
@@ -49,9 +49,13 @@ function exchange(batch) {
 
 const modules = new Map()
 for (;;) {
-  const { program, ...start } = next ?? read()
+  const { program, loads, ...start } = next ?? read()
   next = null
   if (!modules.has(program)) modules.set(program, new WebAssembly.Module(readFileSync(program)))
+  if (loads) {
+    pass({})
+    continue
+  }
   try {
     await new Node(modules.get(program), start, exchange, pass).run()
   } catch (error) {

@@ -8,7 +8,8 @@ const LOOKS = 28
 const TICKS = 32
 const WAITING = 36
 const FIRST = 40
-const TICK = 48
+const REAL = 48
+const TICK = 56
 
 const SIZE = 32 // of a tick: source, number (int32), expected, real, duration (int64)
 
@@ -53,6 +54,11 @@ export class Shared {
 
   set urgent(is) {
     this.#view.setInt32(URGENT, is ? 1 : 0, true)
+  }
+
+  /** @param {boolean} is whether time passes by itself */
+  set real(is) {
+    this.#view.setBigInt64(REAL, is ? 1n : 0n, true)
   }
 
   get looks() {

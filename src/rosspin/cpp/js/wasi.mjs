@@ -118,6 +118,7 @@ export class Program {
 
   /** Note that it looks at the time, or at something else; whoever looks again and again waits. */
   *look() {
+    this.link.touch?.()
     const times = Math.floor(this.shared.looks++ / LOOKS)
     if (times) yield* this.link.sleep(this.shared.now + LOOK[Math.min(times, 4)])
   }

@@ -14,6 +14,7 @@
 extern "C"
 {
 FROM_HOST("wait") void rosspin_wait(std::int64_t until);
+FROM_HOST("touch") void rosspin_touch();
 FROM_HOST("source") int rosspin_source(const char* name, std::size_t length, std::int64_t period);
 FROM_HOST("flush") void rosspin_flush();
 FROM_HOST("end") void rosspin_end(std::int64_t tick, std::int64_t duration);
@@ -200,6 +201,8 @@ void sleep_until(std::int64_t until)
 
 void look()
 {
+  if (shared.real)
+    rosspin_touch();
   if (int times = shared.looks++ / most_looks)
   {
     std::int64_t until = shared.now + one_look[std::min(times, 4)];
@@ -513,6 +516,7 @@ int getpid() { return 1; }
 
 __attribute__((export_name("rosspin_signal"))) void rosspin_signal(int number)
 {
+  rosspin_shared.looks = 0;  // to look does not wait here
   if (static bool told = false; !std::exchange(told, true))
     rosspin::tell_coming();
   // Whoever waits now cannot wait for anything else meanwhile.

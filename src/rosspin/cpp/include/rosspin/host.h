@@ -14,8 +14,8 @@
 
 // What the host reads and writes here, in this order (see js/shared.mjs): the time, what the system's clock is ahead of
 // it, until when the program is alone; whether it has told something, so that the host has to be asked; how often it has
-// looked; the ticks, as many as were not told yet; how many callbacks wait for someone to spin, -1 if someone has; and the
-// number of the first of those ticks.
+// looked; the ticks, as many as were not told yet; how many callbacks wait for someone to spin, -1 if someone has; the
+// number of the first of those ticks; and whether the time is real, which passes by itself.
 struct RosspinTick
 {
   std::int32_t source, number;
@@ -29,6 +29,7 @@ extern struct RosspinShared
   std::int64_t now, ahead, horizon;
   std::int32_t urgent, looks, ticks, waiting;
   std::int64_t first;
+  std::int64_t real;
   RosspinTick tick[4096];
 } rosspin_shared;
 }
