@@ -239,6 +239,8 @@ def _form(error: BaseException) -> str:
     """Return how to call what was given too few arguments, or some that it does not have."""
     message = r"(?:Node\.)?(\w+)(?:\.__init__)?\(\) (?:missing|got an unexpected keyword argument '(\w+)'|takes)"
     found = re.match(message, str(error))
+    if isinstance(error, TypeError) and re.match(r"Executor\.\w+\(\) missing", str(error)):
+        return "An executor is made with `()`, as in `MultiThreadedExecutor()`."
     if not isinstance(error, TypeError) or not found:
         return ""
     return _LACKING.get((found[1], found[2])) or _FORMS.get(found[1], "")

@@ -24,6 +24,9 @@ P = ParamSpec("P")
 # time, which passes in steps of 1 ms.
 CLOSE = 1.5e-3
 
+RETURNS = "A callback does one pass and returns: the timer calls it again, each period, by itself."
+"""The hint for a callback that loops."""
+
 _TURNS = "when the threads take turns at every line"
 
 
@@ -199,8 +202,22 @@ def ticks(
     if not counters:
         said = for_none(run, tag or run.tag, said)
     elif run.interrupted:
+        if wrong := _in_one_call(run, counters):
+            return wrong
         said = for_times(counters, wanted, for_several(run, counters) or said or for_naps(run, counters, wanted))
     return on_time(counters, wanted, what, said)
+
+
+def _in_one_call(run: ObservedRun, counters: Sequence[Printed]) -> Finding | None:
+    """Find out whether one call of a timer's callback printed several counters; None if none did."""
+    for timer in run.timers:
+        own = [line.text for line in counters if line.timer == timer.number]
+        if len(own) > len(timer.calls) + 1:  # that of a call at the end may be missing
+            text = (
+                f"one call of a timer's callback printed counters {plain(own[0])} to {plain(own[-1])}: a loop is in it."
+            )
+            return Finding(False, text, RETURNS)
+    return None
 
 
 def unless_regular(asked: float, hint: str) -> Hint:
@@ -414,7 +431,7 @@ def answered(
 _EVERY = "Five times a second is once in 1 / 5 s. That is the period, which a timer is given."
 _SAME = "Both ends of a topic have to name the same type: otherwise they do not connect."
 _ONCE = (
-    "A publisher that was made just now is not connected to any other process yet. Make it once, before the timer "
+    "A publisher that was made just now may not be connected to other processes yet. Make it once, before the timer "
     "is made, and keep it where the callback finds it."
 )
 
@@ -435,6 +452,9 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
     if all(counter.text == "0" for counter in counters):
         unfilled = "A new message holds 0. Its field `data` is where the counter goes."
         yield Finding(False, "on `/counter`: each message holds 0, not a counter.", unfilled)
+        return
+    if any(timer.state == "blocked" for timer in run.timers):
+        yield Finding(False, "a call of the timer's callback had not returned in the end.", RETURNS)
         return
     on_topic = on_time(counters, wanted, "On `/counter`", for_times(counters, wanted, _EVERY), verb="publish")
     yield on_topic

@@ -131,6 +131,7 @@ class _Watched(ExploredSimulation):
         self.parameters: tuple[str, ...] = ()
         self.cut = False
         self.world: World | None = None  # the answer's, as soon as it runs
+        self.first = 0  # the thread in which its main part runs
         self._ros = ros
         self._timers: dict[int, tuple[int, Any]] = {}  # the timers met so far and their numbers, by id
         self._sleeps: Counter[tuple[int, int, bool]] = Counter()
@@ -167,6 +168,11 @@ class _Watched(ExploredSimulation):
     def sleeps(self, of_timers: bool) -> list[int]:
         """Return the lines of the answer in which timers' callbacks, or else all others, slept again and again."""
         return sorted({line for (_, line, of), count in self._sleeps.items() if count >= _LOOPS and of is of_timers})
+
+    def sleeps_aside(self) -> list[int]:
+        """Return the lines in which another thread than the node's first slept again and again."""
+        threads = {(thread, line) for (thread, line, _), count in self._sleeps.items() if count >= _LOOPS}
+        return sorted({line for thread, line in threads if thread != self.first})
 
     def sleep(self, ns: int) -> None:
         self._note_sleep(sys._getframe())
@@ -313,7 +319,7 @@ class Runner:
         variables: list[tuple[str, Value]] = []
 
         def main() -> None:
-            clock.world = current_world()
+            clock.world, clock.first = current_world(), threading.get_ident()
             node.main()  # a program in C++ ends here
             found = vars(sys.modules["__main__"])
             variables.extend((name, _value(found[name])) for name in request.variables if name in found)
@@ -376,6 +382,7 @@ class Runner:
             tuple(variables),
             Drive(self._fitting(spots), self._fitting(commands)),
             self._language.name if self._language else "python",
+            tuple(clock.sleeps_aside()[:_MOST]),
         )
 
     def _endpoint(self, made: RecordedEndpoint) -> ObservedEndpoint:

@@ -140,6 +140,14 @@ _WAITS = (
     "While a picture is looked at, nothing steers. With two threads, and a callback group of its own for "
     "what looks at it, the others continue."
 )
+_ONE_THREAD = (
+    "While a picture is looked at, nothing steers: the executor that spins has one thread. A `MultiThreadedExecutor` "
+    "has more, if it is the one that spins."
+)
+_ONE_GROUP = (
+    "The executor has threads enough now, but callbacks of one group wait for each other. What looks at pictures needs "
+    "a group of its own."
+)
 _OLD = (
     "The commands come often enough, but from an old offset: the line's callback has to wait while a picture is looked "
     "at. It is what looks at pictures that needs a group of its own."
@@ -152,7 +160,10 @@ _LOOK = "Leave what looks at a picture as it is: 0.3 s for a picture, and then t
 def check(answer: Answer) -> Iterator[Finding]:
     """Whether the vehicle keeps to its line while pictures are looked at."""
     run = answer.run(8.0, beside=["vehicle"])
-    followed = follows(run, _WAITS if is_rare(run) else _SLEEP if len(run.loops) > 1 else _OLD)
+    hint = _SLEEP if len(run.loops) > 1 else _OLD
+    if is_rare(run):
+        hint = _WAITS if run.language == "cpp" else _ONE_GROUP if run.aside else _ONE_THREAD
+    followed = follows(run, hint)
     yield followed
     if followed.right and len(commands(run)) < 72:
         text = f"{len(commands(run))} commands came in {say(run.seconds)}, where 80 are asked for."
@@ -224,8 +235,21 @@ RIGHT = [
     | {"self.picture_callback, 1)": "self.picture_callback, 1, callback_group=ReentrantCallbackGroup())"},
 ]
 WRONG = [
-    ({}, "leaves its line"),
-    (_THREADS, "leaves its line"),
+    ({}, "the executor that spins has one thread"),
+    (_THREADS, "The executor has threads enough now"),
+    (
+        _THREADS
+        | _GROUP
+        | {
+            "rclpy.spin(driver_py_node, MultiThreadedExecutor(2))": "MultiThreadedExecutor().add_node(driver_py_node)"
+            "\n        rclpy.spin(driver_py_node)"
+        },
+        "the executor that spins has one thread",
+    ),
+    (
+        _THREADS | {"MultiThreadedExecutor(2)": "MultiThreadedExecutor"},
+        "An executor is made with `()`",
+    ),
     (_THREADS | _LINE_ALONE, "commands came in 8 s, where 80 are asked for"),
     (_THREADS | _GROUP | {"self.offset = message": "time.sleep(0.3)\n        self.offset = message"}, "More than one"),
     (_THREADS | _TIMER_ALONE, "The commands come often enough, but from an old offset"),
@@ -241,7 +265,7 @@ WRONG = [
     ),
     (
         _GROUP | {"from rclpy.executors import ExternalShutdownException\n": _IMPORTS},
-        "leaves its line",
+        "the executor that spins has one thread",
     ),
     ({"        time.sleep(0.3)  # looks for people\n": ""}, "had not been looked at for 0.3 s"),
     ({"time.sleep(0.3)": "time.sleep(0.1)"}, "had not been looked at for 0.3 s"),
@@ -258,7 +282,7 @@ WRONG = [
             "_callback, 1)": "_callback, 1, callback_group=self.own)",
             "self.offset = 0.0\n": "self.offset = 0.0\n        self.own = MutuallyExclusiveCallbackGroup()\n",
         },
-        "leaves its line",
+        "It is what looks at pictures that needs a group",
     ),
 ]
 

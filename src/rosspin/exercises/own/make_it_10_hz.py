@@ -126,7 +126,16 @@ RIGHT = [
     {TRY: "    while rclpy.ok():\n        rclpy.spin_once(spinner_py_node)\n"},
     PLAIN.replace("MADE", "node.create_timer(0.1, callback)"),
 ]
+LOOPS = "        while rclpy.ok():\n            self.count()\n            time.sleep(0.1)\n\n    def count(self):\n"
 WRONG = [
+    (
+        {
+            "    def timer_callback(self):\n": f"    def timer_callback(self):\n{LOOPS}",
+            "import rclpy\n": "import time\nimport rclpy\n",
+        },
+        "one call of a timer's callback printed counters 1 to 10",
+        by.RETURNS,
+    ),
     (
         {MAKES: f"self.create_timer(0.5, self.timer_callback)\n        {MAKES}"},
         "came at 0.5 s, not at 0.6 s",
@@ -210,6 +219,14 @@ RIGHT_CPP = [
     PLAIN_CPP,
 ]
 WRONG_CPP = [
+    (
+        {
+            "  void timerCallback()\n": "  void timerCallback()\n  {\n    while (rclcpp::ok()) {\n      count();\n"
+            "      rclcpp::sleep_for(100ms);\n    }\n  }\n\n  void count()\n"
+        },
+        "one call of a timer's callback printed counters 1 to 10",
+        by.RETURNS,
+    ),
     ({"100ms": "10s"}, "no counter was printed", NOT_HZ),
     ({"100ms": "10ms"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_HZ),
     ({"100ms": "500ms"}, "counter 1 came at 0.5 s, not at 0.1 s", NOT_HZ),

@@ -9,8 +9,8 @@ TEXT = """
 **You need**: [publish and subscribe in ROS 2](../docs/ros2/publish.rst) and [its notebook](ros2-publish.md).
 
 This node listens for `std_msgs/msg/UInt32` messages on the topic `counter`. Make its timer publish 1, 2, 3 and so on
-there, five times a second, beginning one period after the start. A subscriber in another process should hear the first
-message, too. Do not change the subscription.
+there, five times a second, beginning one period after the start. A subscriber in another process has to be sure to hear
+the first message, too. Do not change the subscription.
 """
 REVEALS = "A number is a message. A publisher can be made when it is needed."
 
@@ -97,15 +97,15 @@ HINTS = [
     "Two things are missing: the publisher, and a line in the timer's callback that uses it. Where does each belong?",
     "`self.create_publisher` takes the type of the messages, the name of the topic, and how many "
     "messages may wait: 10.",
-    "A number is not a message: `UInt32(data=self.counter)` is. And a new publisher is not "
-    "connected to another process yet.",
+    "A number is not a message: `UInt32(data=self.counter)` is. And a new publisher may not "
+    "be connected to other processes yet.",
 ]
 HINTS_CPP = [
     "Two things are missing: the publisher, and lines in the timer's callback that use it. Where does each belong?",
     "`create_publisher<Type>` is given the name of the topic, and how many messages may wait: 10. A member of the "
     "class keeps what it returns.",
-    "A number is not a message: make a `std_msgs::msg::UInt32`, and set its `data`. And a new publisher is not "
-    "connected to another process yet.",
+    "A number is not a message: make a `std_msgs::msg::UInt32`, and set its `data`. And a new publisher may not "
+    "be connected to other processes yet.",
 ]
 HINT = 'Make a `self.create_publisher(UInt32, "counter", 10)` in `__init__`, and publish in the callback.'
 HINT_CPP = (
@@ -145,7 +145,16 @@ RIGHT = [
     {"self.create_timer(0.2,": "self.create_timer(1 / 5,"},
     {TRY.replace("spinner", "robot"): "    rclpy.spin(robot_py_node)\n"},
 ]
+LOOPS = "        while rclpy.ok():\n            self.count()\n            time.sleep(0.2)\n\n    def count(self):\n"
 WRONG = [
+    (
+        {
+            "    def timer_callback(self):\n": f"    def timer_callback(self):\n{LOOPS}",
+            "import rclpy\n": "import time\nimport rclpy\n",
+        },
+        "a call of the timer's callback had not returned in the end",
+        by.RETURNS,
+    ),
     (
         {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('UInt32, "counter"', '"counter", UInt32')},
         "TypeError",
@@ -268,6 +277,14 @@ RIGHT_CPP = [
     {PUBLISHES_CPP: "    publisher_->publish(std_msgs::msg::UInt32().set__data(counter_));\n"},
 ]
 WRONG_CPP = [
+    (
+        {
+            "  void timerCallback()\n": "  void timerCallback()\n  {\n    while (rclcpp::ok()) {\n      count();\n"
+            "      rclcpp::sleep_for(200ms);\n    }\n  }\n\n  void count()\n"
+        },
+        "a call of the timer's callback had not returned in the end",
+        by.RETURNS,
+    ),
     (
         {MAKES_CPP: "", PUBLISHES_CPP: MAKES_CPP + PUBLISHES_CPP},
         "the node made 10 publishers of `/counter`",

@@ -254,7 +254,7 @@ WRONG_CPP = [
     (
         {MAKES_CPP: "", PUBLISHES_CPP: MAKES_CPP + PUBLISHES_CPP},
         "the publisher was made at 0.2 s, when its first message was",
-        "A publisher that was made just now is not connected to any",
+        "A publisher that was made just now may not be connected",
     ),
     (
         {MAKES_CPP: "", PUBLISHES_CPP: f"    if (!publisher_)\n  {MAKES_CPP}{PUBLISHES_CPP}"},

@@ -89,7 +89,16 @@ RIGHT = [
     {"rospy.Duration(timer_delta_t_in_seconds)": "rospy.Duration(0, 100000000)"},
     *at("0.1", PLAIN, LAMBDA, CAUGHT, SLEEPS_FIRST, THREAD),
 ]
+LOOPS = (
+    "        while not rospy.is_shutdown():\n            self.count()\n            rospy.sleep(0.1)\n\n"
+    "    def count(self):\n"
+)
 WRONG = [
+    (
+        {"    def timerCallback(self, event):\n": f"    def timerCallback(self, event):\n{LOOPS}"},
+        "one call of a timer's callback printed counters 1 to 10",
+        by.RETURNS,
+    ),
     ({"loginfo": "logdebug"}, "no counter was printed", "but that printed nothing"),
     ({"= 0.1": "= 10"}, "no counter was printed", NOT_A_FREQUENCY),
     ({"= 0.1": "= 0.01"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_A_FREQUENCY),
