@@ -131,12 +131,13 @@ def _add_lines(app: Sphinx, doctree: nodes.document, page: str) -> None:
         for number, step in enumerate(steps, 1):
             if step.page != page:
                 continue
-            line = f'<a href="{home}">{html.escape(path.title)}</a>, {number} of {len(steps)}.'
+            line = f'<a href="{home}">{html.escape(path.title)}</a>, {number} of {len(steps)}'
             hidden = " hidden" if is_other else ""
             own = [sections[each] for each in step.sections if each in sections]
             after = [step._replace(sections=(each["ids"][0],), title=each[0].astext()) for each in own[1:]]
             before = steps[number - 2] if number > 1 else None
-            for place, following in zip(own, [*after, *steps[number : number + 1], None]):
+            followings = [*after, *steps[number : number + 1], None]
+            for part, (place, following) in enumerate(zip(own, followings), 1):
                 onward = " That is its end."
                 if following:
                     to = _address(app, page, following, name)
@@ -146,7 +147,8 @@ def _add_lines(app: Sphinx, doctree: nodes.document, page: str) -> None:
                     last = before._replace(sections=before.sections[-1:])
                     data |= {"previous": _address(app, page, last, name), "title": before.title}
                 known = "".join(f' data-{key}="{html.escape(value)}"' for key, value in data.items())
-                said = f'<p class="rosspin-path"{known}{hidden}>{line}{onward}</p>'
+                where = f"{line}, part {part} of {len(own)}." if len(own) > 1 else f"{line}."
+                said = f'<p class="rosspin-path"{known}{hidden}>{where}{onward}</p>'
                 before = _Step(page, ("" if place is whole else place["ids"][0],), place[0].astext())
                 place.insert(1 if place is whole else len(place), nodes.raw("", said, format="html"))
 
