@@ -133,7 +133,7 @@ def test_the_parts_come_one_after_the_other() -> None:
     assert ON_PAGE[2][-3:] == ["wake-a-rate", "end-without-a-traceback", "outlive-nothing"]
     for ros, page in PAGES.items():
         parts = list(dict.fromkeys(exercise.part for exercise in IN_PARTS if exercise.ros == ros))
-        assert re.findall(r"^## (.*)$", page, re.MULTILINE) == [*parts, "How it works", "Where next"]
+        assert re.findall(r"^## (.*)$", page, re.MULTILINE) == [*parts, "How it works", "See also"]
     assert [exercise.number for exercise in EXERCISES] == list(range(1, len(EXERCISES) + 1))
     assert len({exercise.title for exercise in EXERCISES}) == len(EXERCISES)
 

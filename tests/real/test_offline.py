@@ -33,7 +33,7 @@ def test_a_page_and_a_notebook_are_made_anew(site: Path, tmp_path: Path) -> None
     shutil.copytree(ROOT / "build", tmp_path / "build", symlinks=True, ignore=shutil.ignore_patterns("npm", "pycache"))
     # Only read: it need not take its place twice.
     shutil.copytree(ROOT / "build/npm", tmp_path / "build/npm", symlinks=True, copy_function=_linked)
-    for name, old in (("docs/glossary.rst", "\nWhere next\n"), ("notebooks/ros2-rate.md", "\n## Where next\n")):
+    for name, old in (("docs/glossary.rst", "\nSee also\n"), ("notebooks/ros2-rate.md", "\n## See also\n")):
         path = tmp_path / name
         text = path.read_text(encoding="utf-8")
         assert old in text

@@ -69,12 +69,12 @@ def test_it_begins_with_what_it_is_for_and_ends_with_where_next(name: str) -> No
     for promise in ("What you will do", "What you will learn", "What you need", "Time"):
         assert f"**{promise}**" in texts[0]
     assert re.search(r"\d+ (to \d+ )?minutes", texts[0])
-    assert texts[-1].startswith("## Where next") or "\n## Where next\n" in texts[-1]
+    assert texts[-1].startswith("## See also") or "\n## See also\n" in texts[-1]
 
 
 @pytest.mark.parametrize(("name", "following"), PATH.items())
 def test_the_end_names_the_notebook_that_comes_next(name: str, following: str) -> None:
-    assert f"]({following}.md)" in cells(name, "markdown")[-1].partition("## Where next")[2]
+    assert f"]({following}.md)" in cells(name, "markdown")[-1].partition("## See also")[2]
 
 
 @pytest.mark.parametrize("name", [f"ros2-{name}" for name in ("timer", "timer-slow", "rate-slow", "executors")])

@@ -95,7 +95,7 @@ def test_a_package_that_is_not_installed_is_left_out() -> None:
 @pytest.mark.parametrize("page", PAGES[1:], ids=lambda page: page.stem)
 def test_each_page_says_where_to_go_next(site: Path, page: Path) -> None:
     """At its end, or next to its place on a path, which JupyterLab does not show."""
-    _, _, rest = page.read_text(encoding="utf-8").partition("Where next\n")
+    _, _, rest = page.read_text(encoding="utf-8").partition("See also\n")
     if page.suffix == ".md":
         assert re.search(r"\]\([^)]+\.(md|rst)\)", rest)
     else:
