@@ -303,6 +303,21 @@ def main(body: str, include: str = '"rclcpp/rclcpp.hpp"') -> str:
             'rclcpp::AsyncParametersClient(std::make_shared<rclcpp::Node>("node")).load_parameters("file.yaml");',
             "rclcpp::AsyncParametersClient::load_parameters",
         ),
+        (
+            "<memory>",
+            'rclcpp::SubscriptionOptions().content_filter_options.filter_expression = "data > 1";',
+            "rclcpp::SubscriptionOptions::content_filter_options",
+        ),
+        (
+            "<memory>",
+            "rclcpp::SubscriptionOptions().topic_stats_options.state = 1;",
+            "rclcpp::SubscriptionOptions::topic_stats_options",
+        ),
+        (
+            "<memory>",
+            "rclcpp::PublisherOptions().require_unique_network_flow_endpoints = 1;",
+            "rclcpp::PublisherOptions::require_unique_network_flow_endpoints",
+        ),
     ],
 )
 def test_what_has_no_stand_in_is_named(write: Write, include: str, body: str, name: str) -> None:
@@ -320,6 +335,70 @@ def test_a_throttled_line_comes_again_after_its_period(write: Write) -> None:
   rclcpp::spin(node);
 """
     assert simulate(write(main(body), "node.cpp"), 2.2).console.count("tick") == 4
+
+
+MOVES = """
+  auto options = rclcpp::NodeOptions().use_intra_process_comms(std::string(argv[1]) == "moves");
+  auto node = std::make_shared<rclcpp::Node>("node", options);
+  typedef std_msgs::msg::UInt32 UInt32;
+  std::map<const void*, std::string> sent;
+  auto hear = [&](UInt32::UniquePtr message)
+  {
+    RCLCPP_INFO(node->get_logger(), "%u%s", message->data, sent[message.get()].c_str());
+    if (message->data == 3)
+      rclcpp::shutdown();
+  };
+  auto subscription = node->create_subscription<UInt32>("topic", 2, hear);
+  auto publisher = node->create_publisher<UInt32>("topic", 2);
+  for (unsigned count = 1; count < 4; count++)  // the first finds no room
+  {
+    auto message = std::make_unique<UInt32>();
+    message->data = count;
+    sent[message.get()] = " as it is";
+    publisher->publish(std::move(message));
+  }
+  std::printf("within the process: %zu\\n", publisher->get_intra_process_subscription_count());
+  rclcpp::spin(node);
+"""
+
+
+def test_within_a_process_a_message_is_moved_if_the_node_asks_for_it(write: Write) -> None:
+    node = write(main(MOVES, '"std_msgs/msg/u_int32.hpp"'), "node.cpp")
+    for how, heard in (("moves", ["2 as it is", "3 as it is"]), ("copies", ["2", "3"])):
+        console = simulate(node, 1.0, [how]).console
+        assert re.findall(r"\[node\]: (.*)", console) == heard
+        assert f"within the process: {how == 'moves':d}\n" in console
+
+
+CLIENT = """
+  auto node = std::make_shared<rclcpp::Node>("node");
+  auto client = node->create_client<std_srvs::srv::Trigger>("nobody");
+  auto ask = [&] { return client->async_send_request(std::make_shared<std_srvs::srv::Trigger::Request>()); };
+  ask();
+  rclcpp::sleep_for(std::chrono::seconds(2));
+  ask();
+  std::vector<std::int64_t> pruned;
+  auto old = client->prune_requests_older_than(std::chrono::system_clock::now() - std::chrono::seconds(1), &pruned);
+  std::printf("%zu %zu %zu\\n", old, pruned.size(), client->prune_pending_requests());
+  rclcpp::PublisherOptions options;
+  options.event_callbacks.matched_callback = [](rclcpp::MatchedInfo& info)
+  { std::printf("matched %lu %d\\n", info.current_count, info.current_count_change); };
+  auto publisher = node->create_publisher<std_msgs::msg::UInt32>("topic", 1, options);
+  auto subscription = node->create_subscription<std_msgs::msg::UInt32>("topic", 1, [](std_msgs::msg::UInt32) {});
+  rclcpp::spin_some(node);
+  rclcpp::shutdown();
+  auto answered = ask().wait_for(std::chrono::seconds(1)) == std::future_status::ready;
+  std::printf("answered %d\\n", answered);
+  node->create_publisher<std_msgs::msg::UInt32>("topic", 1);
+"""
+
+
+def test_requests_are_given_up_and_after_shutdown_none_is_answered(write: Write) -> None:
+    includes = '"std_msgs/msg/u_int32.hpp"\n#include "std_srvs/srv/trigger.hpp"'
+    run = simulate(write(main(CLIENT, includes), "node.cpp"), 9.0)
+    said = "  what():  could not create publisher: rcl node's context is invalid"
+    assert run.console.splitlines()[:3] == ["1 1 1", "matched 1 1", "answered 0"]
+    assert run.console.splitlines()[-1] == said
 
 
 EVENTS = """

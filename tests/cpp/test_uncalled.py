@@ -113,6 +113,17 @@ int main(int argc, char** argv)
     node->create_wall_timer(500ms, [] {});
   if (how == "lost subscription")
     node->subscribe();
+  auto group = node->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive);
+  if (how == "lost group" || how == "kept group")
+    node->timer = node->create_wall_timer(500ms, [] {}, group);
+  if (how == "lost group" || how == "subscribed group")
+  {
+    rclcpp::SubscriptionOptions options;
+    options.callback_group = group;
+    if (how == "subscribed group")
+      node->subscription = node->create_subscription<String>("text", 1, [](const String&) {}, options);
+    group.reset();
+  }
   if (how == "replaced")
   {
     node->timer = node->make_timer(500ms);
@@ -146,7 +157,7 @@ int main(int argc, char** argv)
     std::promise<void> never;
     rclcpp::spin_until_future_complete(node, never.get_future().share(), 100ms);
   }
-  if (how.rfind("lost", 0) == 0 || how == "replaced")
+  if (how.rfind("lost", 0) == 0 || how == "replaced" || how.find(" group") != std::string::npos)
     rclcpp::spin(node);
   rclcpp::shutdown();
 }
@@ -176,7 +187,9 @@ SAID = {
         "lost timer": LOST.format("timer of tick"),
         "lost lambda": LOST.format("timer of a lambda"),
         "lost subscription": SUBSCRIPTION,
+        "lost group": LOST.format("callback group"),
         **dict.fromkeys(("publishes", "some", "stopped", "taken", "failed", "executor", "until", "replaced"), ""),
+        **dict.fromkeys(("kept group", "subscribed group"), ""),
     },
 }
 

@@ -2,6 +2,7 @@
 
 #include <boost/thread.hpp>
 #include <condition_variable>
+#include <csignal>
 #include <cstring>
 #include <future>
 #include <mutex>
@@ -609,6 +610,61 @@ Scenarios scenarios()
     ros::AsyncSpinner spinner(1);
     spinner.start();
     ros::waitForShutdown();
+  };
+  all["async_spinner_is_interrupted"] = [](NodeHandle& nh)
+  {
+    auto hear_slowly = [](const std_msgs::UInt32&)
+    {
+      say("hears");
+      work(1.2);
+      std::printf("has heard, ok %d\n", ros::ok());
+      std::fflush(stdout);
+    };
+    boost::function<void(const std_msgs::UInt32&)> callback = hear_slowly;
+    ros::Subscriber subscriber = nh.subscribe<std_msgs::UInt32>("topic", 10, callback);
+    ros::Publisher publisher = nh.advertise<std_msgs::UInt32>("topic", 10);
+    ros::AsyncSpinner spinner(2);
+    spinner.start();
+    publisher.publish(number(1));
+    work(0.5);
+    std::raise(SIGINT);
+    ros::waitForShutdown();
+    std::puts("main goes on");
+    std::fflush(stdout);
+    work(1.5);
+  };
+  all["boost_threads"] = [](NodeHandle&)
+  {
+    {
+      boost::thread alone([]
+          {
+            work(0.3);
+            say("alone");
+          });
+    }
+    boost::thread_group group;
+    for (double length : {0.5, 0.7})
+      group.create_thread([length]
+          {
+            work(length);
+            say("of a group");
+          });
+    say(shown(group.size()));
+    group.join_all();
+    boost::mutex mutex;
+    boost::condition_variable condition;
+    boost::condition_variable_any any;
+    boost::thread notifies([&]
+        {
+          work(0.8);
+          any.notify_one();
+        });
+    boost::mutex::scoped_lock lock(mutex);
+    bool in_time = condition.timed_wait(lock, boost::posix_time::milliseconds(400));
+    say("in time " + shown(in_time));
+    in_time = any.timed_wait(lock, boost::posix_time::seconds(1));
+    say("in time " + shown(in_time));
+    notifies.join();
   };
   all["multi_threaded_spinner"] = [](NodeHandle& nh)
   {

@@ -29,6 +29,8 @@ _TICK = 32  # bytes: see world.graph.Records
 _DURATION = 24
 _LASTS = b"\xff" * 8  # the duration of one that has not ended
 
+_OTHERS = {"node": "node", "group": "callback group"}  # what can be lost besides timers and subscriptions
+
 _SEGMENTATION_FAULT = 128 + 11
 
 Batch = dict[str, Any]
@@ -217,12 +219,12 @@ class Running:
                 log.coming += zip(sources, arguments[1::4], arguments[2::4], arguments[3::4])
 
     def _lost(self, told: list[str]) -> Iterator[str]:
-        """Yield in words what was destroyed before the node spun, and not made again; "node" is the node itself."""
+        """Yield in words what was destroyed before the node spun, and not made again."""
         sources = {str(source): name for source, name in enumerate(self._names)}
         kept = {name for source, name in sources.items() if source not in told}
         for each in told:
             if each not in sources:
-                yield each if each == "node" else f"subscription to {each}"
+                yield _OTHERS.get(each) or f"subscription to {each}"
             elif (name := sources[each]) not in kept:
                 yield f"timer of {'a lambda' if name == 'lambda' else name}"
 

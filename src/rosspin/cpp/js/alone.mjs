@@ -138,7 +138,14 @@ export class Alone extends Node {
       const [what, left] =
         each === "node"
           ? ["last ros::NodeHandle", "ros::spin(), which has shut the node down"]
-          : [base ? `timer of ${base === "lambda" ? "a lambda" : base}` : `subscription to ${each}`, "it could call back"]
+          : [
+              each === "group"
+                ? "callback group"
+                : base
+                  ? `timer of ${base === "lambda" ? "a lambda" : base}`
+                  : `subscription to ${each}`,
+              "it could call back",
+            ]
       return `The ${what} was destroyed before ${left}. Keep it in a member of the class, or in main.`
     })
     return [...new Set(said)].filter(Boolean)

@@ -51,8 +51,9 @@ void check(const rosspin::Value& answer, const std::string& failed)
       words.push_back(word.string);
     throw exceptions::UnknownROSArgsError(words);
   }
+  bool begins = text.rfind("Failed to create ", 0) == 0;  // with rclpy's own words
   if (!error.empty())
-    throw exceptions::RCLError(failed + ": " + text);
+    throw exceptions::RCLError(failed + ": " + (begins ? text.substr(text.find(": ") + 2) : text));
 }
 
 std::vector<rosspin::Value> values_of(const std::vector<std::string>& words)
@@ -652,6 +653,13 @@ std::string below(const std::string& name, const std::string& sub_namespace)
 }
 }  // namespace detail
 
+CallbackGroup::~CallbackGroup()
+{
+  *free_ = true;
+  if (!members().empty())
+    rosspin::lose("group");
+}
+
 void CallbackGroup::add(const std::shared_ptr<detail::Callable>& member)
 {
   member->group = weak_from_this();
@@ -673,7 +681,7 @@ std::vector<std::shared_ptr<detail::Callable>> CallbackGroup::members() const
 namespace node_interfaces
 {
 NodeBaseInterface::NodeBaseInterface(const std::string& name, const std::string& ns, const NodeOptions& options)
-  : context_(options.context())
+  : context_(options.context()), is_intra_process_(options.use_intra_process_comms())
 {
   context_->check("failed to create guard condition");
   rosspin::Value answer = rosspin::ask("node", {context_->id(), name, ns, values_of(options.arguments()),
@@ -921,7 +929,15 @@ Events::Events(
   add("deadline", callbacks.deadline_callback);
   add("liveliness", callbacks.liveliness_callback);
   add("incompatible_qos", callbacks.incompatible_qos_callback ? callbacks.incompatible_qos_callback : otherwise);
-  add("matched", callbacks.matched_callback);
+  if (auto matched = callbacks.matched_callback)
+    add("matched",
+        [matched](QOSEventInfo& info)
+        {
+          auto size = [](std::int32_t count) { return static_cast<std::size_t>(count); };
+          MatchedInfo told{size(info.total_count), size(info.total_count_change), size(info.current_count),
+              info.current_count_change};
+          matched(told);
+        });
 }
 
 std::vector<rosspin::Value> Events::names() const
@@ -957,9 +973,19 @@ QOSEventCallback logged(bool is_wanted, const End* end, const std::string& logge
 }
 }  // namespace
 
+namespace
+{
+bool is_intra(IntraProcessSetting setting, const node_interfaces::NodeBaseInterface& node)
+{
+  return setting == IntraProcessSetting::Enable ||
+         (setting == IntraProcessSetting::NodeDefault && node.get_use_intra_process_default());
+}
+}  // namespace
+
 PublisherBase::PublisherBase(node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& topic,
     const char* type, const QoS& qos, const PublisherOptionsBase& options)
-  : node_(std::move(node)), qos_(qos),
+  : node_(std::move(node)), qos_(qos), group_(options.callback_group),
+    is_intra_process_(is_intra(options.use_intra_process_comm, *node_)), type_(type),
     events_(options.event_callbacks,
         logged(options.use_default_callbacks, this, node_->logger_name(),
             "subscription discovered on topic '%s', requesting", "sent to"),
@@ -996,9 +1022,33 @@ void PublisherBase::send(const std::string& bytes)
     rosspin::tell("publish", {id_, bytes_of(bytes)});
 }
 
+std::size_t PublisherBase::get_intra_process_subscription_count() const
+{
+  std::size_t count = 0;
+  for (const auto& [id, each] : all<SubscriptionBase>())
+    count += is_intra_process_ && each->is_intra_process_ && each->topic_ == topic_;
+  return count;
+}
+
+// Of several subscriptions in this process, the one made last is given it; the others are given copies.
+void PublisherBase::send(detail::Moved moved)
+{
+  send(moved.bytes);
+  SubscriptionBase* last = nullptr;
+  for (const auto& [id, each] : all<SubscriptionBase>())
+    if (is_intra_process_ && each->is_intra_process_ && each->topic_ == topic_ && each->type_ == type_)
+      last = each;
+  if (!last)
+    return;
+  if (last->moved_.size() > last->received_.size() + 1)
+    last->moved_.pop_front();  // it will not come
+  last->moved_.push_back(std::move(moved));
+}
+
 SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& topic,
     const char* type, const QoS& qos, const SubscriptionOptionsBase& options)
-  : Callable(subscription), node_(std::move(node)), qos_(qos),
+  : Callable(subscription), node_(std::move(node)), type_(type), qos_(qos), group_(options.callback_group),
+    is_intra_process_(is_intra(options.use_intra_process_comm, *node_)),
     events_(options.event_callbacks,
         logged(options.use_default_callbacks, this, node_->logger_name(),
             "publisher discovered on topic '%s', offering", "received from"),
@@ -1055,6 +1105,18 @@ bool SubscriptionBase::take_one(Received& received)
   received = std::move(received_.front());
   received_.pop_front();
   return true;
+}
+
+void* SubscriptionBase::take_moved(const std::string& bytes)
+{
+  for (auto each = moved_.begin(); each != moved_.end(); ++each)
+    if (each->bytes == bytes)
+    {
+      void* message = each->message.release();
+      moved_.erase(moved_.begin(), std::next(each));
+      return message;
+    }
+  return nullptr;
 }
 
 ServiceBase::ServiceBase(
@@ -1134,7 +1196,9 @@ bool ClientBase::take_one(Answer& answer)
 
 std::int64_t ClientBase::send(const std::string& bytes)
 {
-  node_->get_context()->check("failed to send request");
+  static std::int64_t unsent = 0;
+  if (!node_->get_context()->is_valid())
+    return --unsent;  // rcl does not look, and no answer comes
   return rosspin::ask("send_request", {id_, bytes_of(bytes)}).whole;
 }
 

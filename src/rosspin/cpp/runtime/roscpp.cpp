@@ -512,7 +512,7 @@ void shutdown()
   if (self.started)
   {
     for (auto each : std::vector<detail::SubscriptionImpl*>(self.subscriptions))
-      each->end();
+      each->end(false);
     rosspin::tell("shutdown");
   }
   self.logs = self.started = self.ok = false;
@@ -1097,7 +1097,7 @@ SubscriptionImpl::~SubscriptionImpl()
     rosspin::regain(other->topic);
 }
 
-void SubscriptionImpl::end()
+void SubscriptionImpl::end(bool waits)
 {
   if (ended)
     return;
@@ -1107,7 +1107,7 @@ void SubscriptionImpl::end()
   if (node().ok)
     rosspin::tell("unsubscribe", {id_});
   auto waiting = waiting_;
-  while (!waiting->ready())  // another thread is still calling back
+  while (waits && !waiting->ready())  // another thread is still calling back
     rosspin::wait(rosspin::never);
 }
 

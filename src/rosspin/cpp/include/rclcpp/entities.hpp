@@ -68,7 +68,7 @@ class CallbackGroup : public std::enable_shared_from_this<CallbackGroup>
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(CallbackGroup)
   CallbackGroup(CallbackGroupType type, bool automatic) : type_(type), automatic_(automatic) {}
-  ~CallbackGroup() { *free_ = true; }
+  ~CallbackGroup();
   CallbackGroupType type() const { return type_; }
   std::atomic_bool& can_be_taken_from() { return *free_; }
   std::atomic_bool& get_associated_with_executor_atomic() { return taken_; }
@@ -114,6 +114,7 @@ public:
   bool callback_group_in_node(CallbackGroup::SharedPtr group);
   void for_each_callback_group(const CallbackGroupFunction& function);
   std::atomic_bool& get_associated_with_executor_atomic() { return taken_; }
+  bool get_use_intra_process_default() const { return is_intra_process_; }
   std::string resolve_topic_or_service_name(
       const std::string& name, bool is_service, bool only_expand = false) const;
 
@@ -133,6 +134,7 @@ private:
   std::map<std::string, rosspin::Value> overrides_;
   CallbackGroup::SharedPtr default_group_;
   std::vector<CallbackGroup::WeakPtr> groups_;
+  bool is_intra_process_;
   std::atomic_bool taken_{false};
 };
 }  // namespace node_interfaces
@@ -254,9 +256,13 @@ using QOSLivelinessChangedInfo = QOSEventInfo;
 using QOSOfferedIncompatibleQoSInfo = QOSEventInfo;
 using QOSRequestedIncompatibleQoSInfo = QOSEventInfo;
 using QOSMessageLostInfo = QOSEventInfo;
-using MatchedInfo = QOSEventInfo;
-using PublisherMatchedInfo = QOSEventInfo;
-using SubscriptionMatchedInfo = QOSEventInfo;
+struct MatchedInfo
+{
+  std::size_t total_count = 0, total_count_change = 0, current_count = 0;
+  std::int32_t current_count_change = 0;
+};
+using PublisherMatchedInfo = MatchedInfo;
+using SubscriptionMatchedInfo = MatchedInfo;
 
 using QOSEventCallback = std::function<void(QOSEventInfo&)>;
 
@@ -264,7 +270,8 @@ using QOSEventCallback = std::function<void(QOSEventInfo&)>;
 struct EventCallbacks
 {
   QOSEventCallback deadline_callback, liveliness_callback, incompatible_qos_callback, incompatible_type_callback,
-      message_lost_callback, matched_callback;
+      message_lost_callback;
+  std::function<void(MatchedInfo&)> matched_callback;
 };
 using PublisherEventCallbacks = EventCallbacks;
 using SubscriptionEventCallbacks = EventCallbacks;
@@ -288,6 +295,8 @@ struct PublisherOptionsBase
   bool use_default_callbacks = true;
   CallbackGroup::SharedPtr callback_group;
   QosOverridingOptions qos_overriding_options;
+  static int require_unique_network_flow_endpoints
+      ROSSPIN_NOT_SIMULATED("rclcpp::PublisherOptions::require_unique_network_flow_endpoints");
 };
 template<class Allocator>
 struct PublisherOptionsWithAllocator : PublisherOptionsBase
@@ -302,6 +311,10 @@ struct SubscriptionOptionsBase
   CallbackGroup::SharedPtr callback_group;
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
   QosOverridingOptions qos_overriding_options;
+  static int require_unique_network_flow_endpoints
+      ROSSPIN_NOT_SIMULATED("rclcpp::SubscriptionOptions::require_unique_network_flow_endpoints");
+  static int content_filter_options ROSSPIN_NOT_SIMULATED("rclcpp::SubscriptionOptions::content_filter_options");
+  static int topic_stats_options ROSSPIN_NOT_SIMULATED("rclcpp::SubscriptionOptions::topic_stats_options");
 };
 template<class Allocator>
 struct SubscriptionOptionsWithAllocator : SubscriptionOptionsBase
@@ -311,6 +324,13 @@ using SubscriptionOptions = SubscriptionOptionsWithAllocator<std::allocator<void
 
 namespace detail
 {
+// A message that goes from a publisher to a subscription as it is, in one process, and what is sent meanwhile.
+struct Moved
+{
+  std::string bytes;
+  std::unique_ptr<void, void (*)(void*)> message;
+};
+
 // Tells a callback what has happened to an end of a topic, once for all since the last call.
 class Event : public Callable
 {
@@ -351,7 +371,7 @@ public:
   const char* get_topic_name() const { return topic_.c_str(); }
   std::size_t get_queue_size() const { return qos_.depth(); }
   std::size_t get_subscription_count() const;
-  std::size_t get_intra_process_subscription_count() const { return 0; }
+  std::size_t get_intra_process_subscription_count() const;
   QoS get_actual_qos() const { return qos_; }
   bool can_loan_messages() const { return can_loan_; }
   bool assert_liveliness() const;
@@ -366,12 +386,16 @@ public:
 
 protected:
   void send(const std::string& bytes);
+  void send(detail::Moved moved);
   bool can_loan_ = false;
 
 private:
   node_interfaces::NodeBaseInterface::SharedPtr node_;
   std::string topic_;
   QoS qos_;
+  CallbackGroup::SharedPtr group_;  // kept, as the options are
+  bool is_intra_process_;
+  const char* type_;
   detail::Events events_;
   std::int64_t id_;
 };
@@ -428,7 +452,8 @@ public:
   {
     if (!message)
       throw std::runtime_error("cannot publish msg which is a null pointer");
-    send(detail::serialized(*message));
+    std::string bytes = detail::serialized(*message);
+    send({std::move(bytes), {message.release(), [](void* from) { delete static_cast<M*>(from); }}});
   }
 };
 
@@ -461,15 +486,22 @@ public:
 
 protected:
   bool take_one(Received& received);
+  // Return a message that came as it is, for the caller to keep; null if none did with these bytes.
+  void* take_moved(const std::string& bytes);
 
 private:
+  friend PublisherBase;
   node_interfaces::NodeBaseInterface::SharedPtr node_;
   std::string topic_;
+  const char* type_;
   QoS qos_;
+  CallbackGroup::SharedPtr group_;  // kept, as the options are
+  bool is_intra_process_;
   detail::Events events_;
   std::int64_t id_;
   bool at_once_ = false;
   std::deque<Received> received_;
+  std::deque<detail::Moved> moved_;
 };
 
 namespace detail
@@ -525,8 +557,12 @@ public:
     Received received;
     if (!take_one(received))
       return;
-    auto message = std::make_unique<M>();
-    detail::deserialize(received.bytes, *message);
+    std::unique_ptr<M> message(static_cast<M*>(take_moved(received.bytes)));
+    if (!message)
+    {
+      message = std::make_unique<M>();
+      detail::deserialize(received.bytes, *message);
+    }
     callback_(std::move(message), received.info);
   }
   // Make the call for a message that was taken otherwise.
@@ -787,6 +823,20 @@ public:
     pending_.clear();
     return size;
   }
+  template<class Allocator = std::allocator<std::int64_t>>
+  std::size_t prune_requests_older_than(
+      std::chrono::time_point<std::chrono::system_clock> time, std::vector<std::int64_t, Allocator>* pruned = nullptr)
+  {
+    std::size_t size = pending_.size();
+    for (auto each = pending_.begin(); each != pending_.end();)
+    {
+      bool is_older = each->second.first < time;
+      if (is_older && pruned)
+        pruned->push_back(each->first);
+      each = is_older ? pending_.erase(each) : std::next(each);
+    }
+    return size - pending_.size();
+  }
   void call_back() override
   {
     Answer answer;
@@ -795,7 +845,7 @@ public:
     auto found = pending_.find(answer.sequence);
     if (found == pending_.end())
       return;
-    auto settle = std::move(found->second);
+    auto settle = std::move(found->second.second);
     pending_.erase(found);
     auto response = std::make_shared<Response>();
     detail::deserialize(answer.bytes, *response);
@@ -806,10 +856,13 @@ private:
   std::int64_t ask(const Request& request, std::function<void(SharedResponse)> settle)
   {
     std::int64_t id = send(detail::serialized(request));
-    pending_[id] = std::move(settle);
+    pending_[id] = {std::chrono::system_clock::now(), std::move(settle)};
     return id;
   }
-  std::map<std::int64_t, std::function<void(SharedResponse)>> pending_;
+  // When each was sent, and what to do with its response.
+  std::map<std::int64_t,
+      std::pair<std::chrono::time_point<std::chrono::system_clock>, std::function<void(SharedResponse)>>>
+      pending_;
 };
 }  // namespace rclcpp
 

@@ -239,6 +239,7 @@ public:
   QoS qos_profile_;
   EndpointType endpoint_type() const { return endpoint_type_; }
   const QoS& qos_profile() const { return qos_profile_; }
+  QoS& qos_profile() { return qos_profile_; }
   const std::string& node_name() const { return node_name_; }
   const std::string& node_namespace() const { return node_namespace_; }
   const std::string& topic_type() const { return topic_type_; }
@@ -661,6 +662,7 @@ typename WallTimer<Callback>::SharedPtr create_wall_timer(std::chrono::duration<
 class ROSSPIN_NOT_SIMULATED("rclcpp::GenericPublisher") GenericPublisher;
 class ROSSPIN_NOT_SIMULATED("rclcpp::GenericSubscription") GenericSubscription;
 class ROSSPIN_NOT_SIMULATED("rclcpp::SerializedMessage") SerializedMessage;
+class ROSSPIN_NOT_SIMULATED("rclcpp::NetworkFlowEndpoint") NetworkFlowEndpoint;
 }  // namespace rclcpp
 
 #endif

@@ -25,4 +25,12 @@ int rcutils_logging_get_logger_level(const char* name);
 int rcutils_logging_get_logger_effective_level(const char* name);
 void rcutils_logging_set_default_logger_level(int level);
 
+// What has gone wrong last is never kept.
+struct rcutils_error_string_t
+{
+  char str[1024];
+};
+inline rcutils_error_string_t rcutils_get_error_string() { return {"error not set"}; }
+inline void rcutils_reset_error() {}
+
 #endif

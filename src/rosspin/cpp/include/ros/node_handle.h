@@ -112,6 +112,9 @@ bool search(const std::string& name, std::string& found);
 bool getParamNames(V_string& names);
 }  // namespace param
 
+class NodeHandle;
+typedef boost::shared_ptr<NodeHandle> NodeHandlePtr;
+
 class NodeHandle
 {
 public:

@@ -147,7 +147,8 @@ public:
   SubscriptionImpl(const std::string& topic, const char* type, std::uint32_t queue_size,
       std::function<void(Received&)> callback, Tracked tracked, CallbackQueueInterface* queue, bool concurrent);
   ~SubscriptionImpl() override;
-  void end() override;
+  void end() override { end(true); }
+  void end(bool waits);  // for a call that another thread has begun
   std::uint32_t connections() const;
   std::string topic;
   bool ended = false;
