@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import sys
+import warnings
 
 import pytest
 
@@ -88,3 +90,11 @@ def test_another_type_on_the_topic_does_not_reach_the_vehicle() -> None:
     answer = FOLLOW.written(FOLLOW.right[0]).replace("import Twist", "import Accel as Twist")
     said = str(check(FOLLOW.exercise.name, answer))
     assert "did not reach the vehicle" in said and "takes messages of the type `Twist`" in said
+
+
+def test_an_executor_of_one_thread_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(warnings, "showwarning", lambda message, *more: sys.stderr.write(f"{message}\n"))
+    name = "look-while-driving"
+    task = next(task for task in TASKS if task.exercise.name == name)
+    answer = task.written(task.right[0]).replace("MultiThreadedExecutor(2)", "MultiThreadedExecutor(1)")
+    assert "The executor has one thread, as its warning says" in check(name, answer).hint

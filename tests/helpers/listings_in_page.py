@@ -60,7 +60,7 @@ class Cell:
         return self.text()
 
     def text(self) -> str:
-        return self.element.locator(".live-console pre").text_content() or ""
+        return "".join(self.element.locator(".live-console pre").all_text_contents())
 
     def marked(self) -> list[str]:
         """The lines on the console that belong to the chosen tick."""

@@ -156,7 +156,7 @@ def test_a_cell_of_ros_1_drives_one_without_a_roslaunch_that_speaks(
 ) -> None:
     cell = "import rospy\nrospy.init_node('driver')\nrospy.spin()\n"
     assert shell.run_cell(f"%%drive 1\n{cell}").success
-    assert capsys.readouterr().out.startswith("The vehicle drives 0.0 m in 1 s")
+    assert capsys.readouterr().out.startswith("The vehicle stands still for 1 s.")
     assert shell.user_ns["run"].console == ""
 
 

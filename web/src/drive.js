@@ -41,7 +41,7 @@ export function drawDrive(drive) {
   const deviation = draw(
     "svg",
     { width: "100%", height: bottom + MARKS * rows.length + AXIS, "aria-hidden": "true", fill: "currentColor", "font-size": 13 },
-    text(12, `deviation, up to ${most} m; dashed: off the line`),
+    text(12, `deviation, 0 to ${most} m; dashed: off the line`),
     draw(
       "svg",
       { ...inside, y: top, height: CURVE, viewBox: "0 0 1000 100" },

@@ -87,16 +87,33 @@ def not_found(error: BaseException, text: str) -> str:
             rf"create_(publisher|subscription|client|service)\([^)]*,\s*{error.name}\s*,", text
         ):
             return f'A name of ROS is a text. Write it in quotes: `"{error.name}"`.'
+        if error.name in _OF_NODES:
+            return f"In a method of the class it is `self.{error.name}`."
         if error.name and re.search(rf"\bself\.{re.escape(error.name)}\b|\bdef {re.escape(error.name)}\(self\b", text):
             return f"In a method of the class it is `self.{error.name}`."
-        return _NOT_FOUND
+        return _local(error.name or "", text) or _NOT_FOUND
     if isinstance(error, AttributeError):
-        if error.name and re.search(rf"(?<![.\w]){re.escape(error.name)} = ", text):
-            return f"`{error.name}` is a variable of one function. Others find it if it is kept as `self.{error.name}`."
-        return _lacks(error) or _meant(error) or _NOT_FOUND
+        if error.name and re.search(rf"^def {re.escape(error.name)}\(self\b", text, re.MULTILINE):
+            return f"`{error.name}` is defined outside of the class. Indent it, and it is a method."
+        # What could not be set is told in words alone.
+        found = re.match(r"'(\w+)' object has no attribute '(\w*[A-Z]\w*)'$", str(error))
+        if found and error.obj is None:
+            return f"A `{found[1]}` has no field `{found[2]}`. Fields are written in small letters, as `data` is."
+        if str(error).startswith("'property' object"):
+            return "This belongs to a class. Make an object of it, with `()`, as in `Twist()`."
+        if isinstance(error.obj, type) and hasattr(error.obj, "get_fields_and_field_types"):
+            return f"This is the class. Make an object of it, with `()`: `{error.obj.__name__}()`."
+        return _local(error.name or "", text) or _lacks(error) or _meant(error) or _NOT_FOUND
     if isinstance(error, ZeroDivisionError):
         return "This line divides by 0. In Python `1 // 10` and `int(0.5)` are 0, and False counts as 0, too."
     return ""
+
+
+def _local(name: str, text: str) -> str:
+    """Say where a name is known that one function of an answer, a text, assigns; empty for other names."""
+    if not name or not re.search(rf"(?<![.\w]){re.escape(name)} = ", text):
+        return ""
+    return f"`{name}` is a variable of one function. Others find it if it is kept as `self.{name}`."
 
 
 def _modules(package: str) -> Mapping[str, ModuleType]:
@@ -176,6 +193,8 @@ def not_called(error: BaseException, text: str, line: int) -> str:
     """Advise on what was called in a ``line`` of the answer, and should not have been; empty for other errors."""
     if found := re.match(r"'(Publisher|Client|Timer|RcutilsLogger|Rate)' object is not callable", str(error)):
         return f"It is no function. Call what it has, such as `{_METHODS[found[1]]}`."
+    if "'QoSProfile' object is not callable" in str(error):
+        return "It is a profile already: give it as it is, without `()`."
     lines = text.splitlines()
     found = re.match(r"(?:\w+\.)*(\w+)\(\) missing \d+ required positional argument", str(error))
     if not (isinstance(error, TypeError) and found and 0 < line <= len(lines)):
@@ -243,6 +262,8 @@ def _form(error: BaseException) -> str:
         return "An executor is made with `()`, as in `MultiThreadedExecutor()`."
     if not isinstance(error, TypeError) or not found:
         return ""
+    if "group" in (found[2] or ""):
+        return "That argument is called `callback_group`."
     return _LACKING.get((found[1], found[2])) or _FORMS.get(found[1], "")
 
 

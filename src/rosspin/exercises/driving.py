@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from ..vehicle.drives import OTHERS, Command, Spot, say_off
@@ -12,7 +12,18 @@ from .feedback import Finding
 from .judging import plain, say
 from .observed import ObservedRun
 
-__all__ = ["TURNS", "between", "commands", "driver_cpp", "follows", "is_rare", "stands", "unmoved"]
+__all__ = [
+    "TURNS",
+    "between",
+    "commands",
+    "driver_cpp",
+    "follows",
+    "is_rare",
+    "one_publisher",
+    "stands",
+    "steady",
+    "unmoved",
+]
 
 TURNS = "The commands come often enough. Is the turn 8.0 times the newest offset, as before?"
 """The hint for an answer that steers often enough, and not well."""
@@ -20,6 +31,7 @@ TURNS = "The commands come often enough. Is the turn 8.0 times the newest offset
 _LEAST = 0.9  # of the way that it can go, it has to go so much
 _LONGEST = 0.35  # s; commands that come as rarely as this lose the line
 _OWN = ("/rosout", "/parameter_events")  # of every node
+_AT_ONCE = 1e-3  # s; commands that are closer come at a time
 _STILL = 0.05  # m; farther than this, it has moved
 
 _DRIVER_CPP = """
@@ -95,6 +107,52 @@ def is_rare(run: ObservedRun) -> bool:
     return any(after - time > _LONGEST for time, after in pairwise([*times, run.seconds]))
 
 
+def steady(run: ObservedRun, period: float, loops: Sequence[int] = ()) -> Iterator[Finding]:
+    """Find out whether commands come one each period (s), sent by one timer with one publisher.
+
+    ``loops`` are the lines in which a loop may send them.
+    """
+    times = [command.time for command in commands(run)]
+    if wrong := one_publisher(run):
+        yield wrong
+    if sum(after - time < _AT_ONCE for time, after in pairwise(times)) > len(times) / 3:
+        text = f"{len(times)} commands came in {say(run.seconds)}, two at a time."
+        yield Finding(False, text, "Do two timers send them, or does one call of the callback send two?")
+        return
+    if wrong := _from_no_timer(run, len(times), loops):
+        yield wrong
+    text = f"{len(times)} commands came in {say(run.seconds)}, one every {say(between(run))}."
+    hint = f"{1 / period:.10g} times a second is one every {say(period)}, from one timer."
+    yield Finding(abs(between(run) - period) < 0.1 * period, text, hint)
+
+
+def one_publisher(run: ObservedRun) -> Finding | None:
+    """Find out whether the answer made several publishers of commands; None if one was enough."""
+    made = len(run.endpoints_of("/cmd_vel", True))
+    if made < 2:
+        return None
+    hint = "Make it once, where the node is made: a new one may not be connected to other processes yet."
+    return Finding(False, f"the node made {made} publishers of `/cmd_vel`, where one would do.", hint)
+
+
+def _from_no_timer(run: ObservedRun, sent: int, loops: Sequence[int]) -> Finding | None:
+    """Find out what else than one timer sends the commands; None if nothing does."""
+    calls = [len(timer.calls) for timer in run.timers]
+    if any(timer.state == "running" and len(timer.calls) >= 0.5 * sent for timer in run.timers):
+        return None
+    if loops:
+        hint = "Let a timer do that: the node calls it between the other callbacks, and ends it."
+        return Finding(False, f"no timer of the node sends the commands: a loop does, at line {loops[0]}.", hint)
+    if sum(calls) >= 0.9 * sent and len(calls) > 2:
+        hint = "One timer calls back again by itself: make it once, where the node is made."
+        return Finding(False, f"{len(calls)} timers sent the commands, one after the other.", hint)
+    hint = "If the sensor falls silent, so do the commands. With a timer the node acts at times of its own."
+    if any(calls):
+        hint = "Something else sends commands, too, such as the sensor's callback. Let only the timer send them."
+        return Finding(False, "not all of the commands are sent by a timer of the node.", hint)
+    return Finding(False, "no timer of the node sends the commands.", hint)
+
+
 def unmoved(run: ObservedRun) -> Finding | None:
     """Find out why the vehicle was sent nothing that moves it; None if it was."""
     sent = commands(run)
@@ -104,6 +162,8 @@ def unmoved(run: ObservedRun) -> Finding | None:
         text = f"a command came on `/cmd_vel`, at {say(sent[0].time)}, but it did not reach the vehicle."
         types = {plain(each.type) for each in run.sent if each.topic == "/cmd_vel"}
         hint = "Messages published before the nodes find each other are lost: publish from a timer, again and again."
+        if any(endpoint.refused for endpoint in run.endpoints_of("/cmd_vel", True)):
+            hint = "The publisher offers less than the vehicle asks for: read the warnings. `10` is enough."
         if not any(name.endswith("Twist") for name in types):
             hint = f"The vehicle takes messages of the type `Twist`, and these are of another one: {', '.join(types)}."
         return Finding(False, text, hint)
@@ -116,6 +176,9 @@ def unmoved(run: ObservedRun) -> Finding | None:
     if endpoints and slow:
         hint = f"The timer's period is {say(slow[0])}: its first call is not due before the run ends, at"
         return Finding(False, text, f"{hint} {say(run.seconds)}.")
+    if endpoints and run.timers and not any(timer.calls for timer in run.timers):
+        hint = "A timer of the node was never called. Does the executor that spins have the node: `add_node(...)`?"
+        return Finding(False, text, hint)
     if endpoints:
         return Finding(False, text, "There is a publisher. Does a timer publish with it, again and again?")
     others = [each.topic for each in run.endpoints if each.publishes and each.topic not in _OWN]
@@ -189,6 +252,8 @@ def _unheard(run: ObservedRun) -> str:
         return f"{where}, and the vehicle says on `line` how far off it is."
     if run.loops and not any(timer.calls for timer in run.timers):
         return f"A loop, at line {run.loops[0]}, keeps the node from `spin`: no callback is called while it runs."
+    if not any(endpoint.joined for endpoint in run.endpoints_of("/line", False)):
+        return "Its subscription to `line` is not connected to the vehicle. Both have to name the same type, `Float32`."
     kept = "a member of the object, such as `offset_`" if run.language == "cpp" else "with its `self.`"
     return f"`angular.z` is the turn. Is it made from what the subscription's callback keeps, by the same name, {kept}?"
 

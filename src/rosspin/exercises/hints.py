@@ -35,7 +35,8 @@ def for_counters(counters: Sequence[Printed], wanted: Sequence[float], verb: str
     if numbers[0] == 0 and steps <= {1} and abs(counters[0].time - wanted[0]) < _CLOSE:
         return f"The first counter is 1: add 1 before you {verb} it, not after."
     if steps <= {1} and numbers[0] > 1:
-        return f"The first counter is 1, and this one begins at {numbers[0]}: it is 0 at the start. If not, {_OWN}"
+        start = f"The first counter is 1, and this one begins at {numbers[0]}: something has counted before."
+        return f"{start} Is it 0 at the start? If another timer counts in it: {_OWN}"
     if steps <= {0, 1} and 0 in steps:
         return f"A counter comes more than once: does the node {verb} it twice, or do two timers {verb} the same one?"
     if len(steps) == 1 and (step := steps.pop()) > 1:
@@ -76,15 +77,18 @@ def for_naps(run: ObservedRun, counters: Sequence[Printed], wanted: Sequence[flo
     )
 
 
-def for_several(run: ObservedRun, counters: Sequence[Printed]) -> str:
-    """Return a hint on counters that several timers with different periods print; empty if they do not."""
+def for_several(run: ObservedRun, counters: Sequence[Printed], are_several: bool) -> str:
+    """Return a hint on counters that several timers with different periods print; empty if they do not.
+
+    ``are_several`` says whether the exercise asks for several timers.
+    """
     periods = sorted({timer.period for timer in run.printers(counters)[0]})
     if len(periods) < 2:
         return ""
-    return (
-        f"Timers with different periods print these counters, {' and '.join(map(say, periods))}. One timer is enough, "
-        "or each needs a callback and counter of its own."
-    )
+    start = f"Timers with different periods print these counters, {' and '.join(map(say, periods))}."
+    if are_several:
+        return f"{start} Is each given a callback of its own? Of two methods with one name, the later one is called."
+    return f"{start} One timer is enough, or each needs a callback and counter of its own."
 
 
 def for_none(run: ObservedRun, tag: str, hint: str = "") -> str:

@@ -204,7 +204,9 @@ def ticks(
     elif run.interrupted:
         if wrong := _in_one_call(run, counters):
             return wrong
-        said = for_times(counters, wanted, for_several(run, counters) or said or for_naps(run, counters, wanted))
+        said = for_times(
+            counters, wanted, for_several(run, counters, bool(tag)) or said or for_naps(run, counters, wanted)
+        )
     return on_time(counters, wanted, what, said)
 
 
@@ -213,9 +215,10 @@ def _in_one_call(run: ObservedRun, counters: Sequence[Printed]) -> Finding | Non
     for timer in run.timers:
         own = [line.text for line in counters if line.timer == timer.number]
         if len(own) > len(timer.calls) + 1:  # that of a call at the end may be missing
-            text = (
-                f"one call of a timer's callback printed counters {plain(own[0])} to {plain(own[-1])}: a loop is in it."
-            )
+            first, last = plain(own[0]), plain(own[-1])
+            text = f"one call of a timer's callback printed counters {first} to {last}: a loop is in it."
+            if len(timer.calls) > 1:
+                text = f"{len(timer.calls)} calls of a timer's callback printed {len(own)} counters: a loop is in it."
             return Finding(False, text, RETURNS)
     return None
 
@@ -245,12 +248,15 @@ def unless_first_at(time: float, hint: str) -> Hint:
 
 @_check
 def from_timers(run: ObservedRun, when: str) -> Finding | None:
-    """Whether timers printed the counters. Nothing is said of those that did."""
-    _, others = run.printers(run.counters())
-    if not others:
-        return None
-    text = f"counter {plain(others[0].text)} was not printed by the callback of a timer."
-    return Finding(False, text, "Keep the timer, and let it call back at the frequency that is asked for.")
+    """Whether timers printed the counters, and still run. Nothing is said of those that do."""
+    timers, others = run.printers(run.counters())
+    if others:
+        text = f"counter {plain(others[0].text)} was not printed by the callback of a timer."
+        return Finding(False, text, "Keep the timer, and let it call back at the frequency that is asked for.")
+    if timers and run.interrupted and not any(timer.state == "running" for timer in timers):
+        hint = "One timer is enough, and calls back until the node ends, unless something stops it."
+        return Finding(False, f"at {say(run.seconds)} no timer runs any more that printed the counters.", hint)
+    return None
 
 
 @_check
@@ -430,6 +436,8 @@ def answered(
 
 _EVERY = "Five times a second is once in 1 / 5 s. That is the period, which a timer is given."
 _SAME = "Both ends of a topic have to name the same type: otherwise they do not connect."
+_LISTENER = "Leave the listener as it is: only the publisher is missing."
+_QOS = "reliable, volatile, depth 10"
 _ONCE = (
     "A publisher that was made just now may not be connected to other processes yet. Make it once, before the timer "
     "is made, and keep it where the callback finds it."
@@ -478,6 +486,10 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
         yield by_listener
     elif len(publishers) > 1:
         yield Finding(False, f"the node made {len(publishers)} publishers of `/counter`, where one would do.", _ONCE)
+    elif listeners[0].made > sent[0].time - CLOSE:
+        yield Finding(False, f"the listener subscribes only at {say(listeners[0].made)}.", _LISTENER)
+    elif listeners[0].qos not in ("", _QOS):
+        yield Finding(False, f"the listener now has {listeners[0].qos}, where it had {_QOS}.", _LISTENER)
     elif publishers[0] > sent[0].time - CLOSE:
         text = f"the publisher was made at {say(publishers[0])}, when its first message was already due."
         yield Finding(False, text, _ONCE)

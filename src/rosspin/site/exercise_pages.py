@@ -126,6 +126,7 @@ def _page(
     for name, place in ("prev", number - 1), ("next", number + 1):
         if 0 <= place < len(exercises):
             around[name] = {"link": f"../exercises/{exercises[place].name}.html", "title": exercises[place].title}
+    around.setdefault("prev", {"link": f"../{home}.html", "title": context["title"]})
     back = f'<a href="../{home}.html">{context["title"]}</a>'
     onward = exercises[number + 1].link(f"Next: {exercises[number + 1].title}") if "next" in around else back
     alone = doctree.copy()

@@ -138,7 +138,7 @@ def _add_lines(app: Sphinx, doctree: nodes.document, page: str) -> None:
             before = steps[number - 2] if number > 1 else None
             followings = [*after, *steps[number : number + 1], None]
             for part, (place, following) in enumerate(zip(own, followings), 1):
-                onward = " That is its end."
+                onward = " You have reached its end."
                 if following:
                     to = _address(app, page, following, name)
                     onward = f' Next: <a href="{to}">{html.escape(following.title)}</a>'

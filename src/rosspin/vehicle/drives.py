@@ -18,6 +18,7 @@ NODE = "/vehicle"
 OTHERS = ("/joystick", "/tablet")
 """The full names of the nodes that steer it together with an answer."""
 
+_STILL = 0.05  # m; farther than this, it has moved
 _JUMP = 0.5  # m; so far nothing drives between two messages that say where it is
 
 
@@ -78,10 +79,10 @@ class Drive(NamedTuple):
         senders = Counter(command.node for command in self.commands)
         came = ", ".join(f"{count} from {node}" for node, count in senders.items()) or "none"
         last = self.spots[-1]
-        return (
-            f"The vehicle drives {self.way:.1f} m in {last.time:g} s and {say_off(self.worst.off, self.worst.time)}. "
-            f"Commands: {came}."
-        )
+        drives = f"drives {self.way:.1f} m in {last.time:g} s and {say_off(self.worst.off, self.worst.time)}"
+        if self.way < _STILL:
+            drives = f"stands still for {last.time:g} s"
+        return f"The vehicle {drives}. Commands: {came}."
 
 
 def _number(value: float) -> float:

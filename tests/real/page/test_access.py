@@ -7,7 +7,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.helpers.answers import CELLS, ON_PAGE, number_of
 from tests.helpers.axe import COLOURS, violations
-from tests.helpers.listings_in_page import Cell, open_exercise, open_tutorial
+from tests.helpers.listings_in_page import TIMER, Cell, open_exercise, open_tutorial
 from tests.helpers.looks import FAINT, faults
 from tests.helpers.readers import reader
 
@@ -79,7 +79,7 @@ def test_an_exercise_by_keyboard(page: Page, address: str) -> None:
 def test_a_listing_by_keyboard(page: Page, address: str) -> None:
     """Run, then each tick by arrow keys, then on."""
     open_tutorial(page, address)
-    cell = Cell(page, 0)
+    cell = Cell(page, TIMER)
     cell.element.get_by_role("spinbutton").fill("2")
     cell.element.get_by_role("combobox").select_option("instantly")
     cell.button("Run").focus()

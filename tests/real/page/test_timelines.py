@@ -226,7 +226,9 @@ def test_pointing_at_a_tick(tutorial: Page) -> None:
     cell.write((EXAMPLES / LISTINGS[TIMER]).read_text(encoding="utf-8").replace("0.5", "0.4"))
     cell.run(2)
     cell.ends("done: 5 ticks")
-    mark = cell.plot.locator("g circle").nth(2).bounding_box()
+    circle = cell.plot.locator("g circle").nth(2)
+    circle.evaluate("() => new Promise((painted) => requestAnimationFrame(() => requestAnimationFrame(painted)))")
+    mark = circle.bounding_box()
     assert mark
     tutorial.mouse.move(mark["x"] + mark["width"] / 2 + 1, mark["y"] + mark["height"] / 2)
     expect(cell.element.locator(".live-tick")).to_have_text(

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .. import Finding
-from ..driving import TURNS, between, commands, follows, is_rare
-from ..judging import Answer, say
+from ..driving import TURNS, follows, is_rare, steady
+from ..judging import Answer
 
 TITLE = "Follow the line"
 TEXT = """
@@ -116,8 +116,7 @@ HINTS_CPP = [
     "The period is `100ms`, and the callback `[this] { steer(); }`.",
 ]
 
-_PERIOD = 0.1
-_AGAIN = "Its wheels stay as they were told last. Tell them again, ten times a second or so."
+_AGAIN = "Its wheels stay as they were told last. Tell them again, ten times a second."
 
 
 def check(answer: Answer) -> Iterator[Finding]:
@@ -125,14 +124,8 @@ def check(answer: Answer) -> Iterator[Finding]:
     run = answer.run(8.0, beside=["vehicle"])
     followed = follows(run, _AGAIN if is_rare(run) else TURNS)
     yield followed
-    if not followed.right:
-        return
-    sent, steady = commands(run), abs(between(run) - _PERIOD) < 0.1 * _PERIOD
-    if not any(timer.state == "running" and len(timer.calls) >= 0.5 * len(sent) for timer in run.timers):
-        hint = "If the sensor falls silent, so do the commands. With a timer the node acts at times of its own."
-        yield Finding(False, "no timer of the node sends the commands.", hint)
-    text = f"{len(sent)} commands came in {say(run.seconds)}, one every {say(between(run))}."
-    yield Finding(steady, text, "Ten times a second is one every 0.1 s, from one timer.")
+    if followed.right:
+        yield from steady(run, 0.1, run.loops)
 
 
 _STEER = "        self.steer()\n"
@@ -163,6 +156,35 @@ rclpy.spin(node)
 """,
 ]
 WRONG = [
+    ({_STEER: _TIMER.replace("0.1", "0.2") * 2}, "80 commands came in 8 s, two at a time"),
+    (
+        {_STEER: _TIMER, '        self.publisher = self.create_publisher(Twist, "cmd_vel", 10)\n': ""}
+        | {"        self.publisher.publish": '        self.create_publisher(Twist, "cmd_vel", 10).publish'},
+        "The node made 80 publishers of `/cmd_vel`, where one would do",
+    ),
+    (
+        {_STEER: _TIMER, '"cmd_vel", 10)': '"cmd_vel", qos_profile_sensor_data)'}
+        | {"import rclpy\n": "import rclpy\nfrom rclpy.qos import qos_profile_sensor_data\n"},
+        "The publisher offers less than the vehicle asks for",
+    ),
+    (
+        {_STEER: _TIMER, "(Float32, ": "(Float64, ", "import Float32": "import Float64"},
+        "Both have to name the same type, `Float32`",
+    ),
+    (
+        {_STEER: _TIMER, "self.offset = message.data\n": "self.offset = message.data\n        self.steer()\n"},
+        "Not all of the commands are sent by a timer of the node",
+    ),
+    (
+        {_STEER: "        threading.Thread(target=self.loop, daemon=True).start()\n"}
+        | {
+            "    def steer(self):\n": "    def loop(self):\n        while rclpy.ok():\n            self.steer()\n"
+            "            time.sleep(0.1)\n\n    def steer(self):\n"
+        }
+        | {"import rclpy\n": "import threading\nimport time\n\nimport rclpy\n"},
+        "No timer of the node sends the commands: a loop does, at line 2",
+    ),
+    ({_STEER: _TIMER, "command = Twist()": "command = Twist"}, "Make an object of it, with `()`"),
     ({"        self.steer()\n": "        self.create_timer(10, self.steer)\n"}, "The timer's period is 10 s"),
     (
         {"        self.steer()\n": "        self.create_timer(0.1, self.steer)\n", "8.0 *": "0.5 *"},
@@ -223,9 +245,9 @@ RIGHT_CPP = [
     {"100ms": "std::chrono::milliseconds(100)"},
 ]
 WRONG_CPP = [
-    ({"100ms": "50ms"}, "one every 0.05 s", "Ten times a second is one every 0.1 s"),
+    ({"100ms": "50ms"}, "one every 0.05 s", "10 times a second is one every 0.1 s"),
     ({"    offset_ = message": "    auto offset_ = message"}, "leaves its line", "a member of the object"),
     ({"timer_ = create": "auto timer = create"}, "no command came on `/cmd_vel`", "Does a timer publish"),
-    ({"100ms": "500ms"}, "leaves its line by 1.4 m", "Tell them again, ten times a second or so"),
+    ({"100ms": "500ms"}, "leaves its line by 1.4 m", "Tell them again, ten times a second"),
     ({"8.0 *": "-8.0 *"}, "leaves its line", "It turns away from the line"),
 ]

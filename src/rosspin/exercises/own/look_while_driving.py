@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .. import Finding
-from ..driving import commands, follows, is_rare
+from ..driving import commands, follows, is_rare, steady
 from ..judging import Answer, say
 
 TITLE = "Look while driving"
@@ -148,13 +148,14 @@ _ONE_GROUP = (
     "The executor has threads enough now, but callbacks of one group wait for each other. What looks at pictures needs "
     "a group of its own."
 )
+_SINGLE = "MultiThreadedExecutor is used with a single thread"
 _OLD = (
     "The commands come often enough, but from an old offset: the line's callback has to wait while a picture is looked "
     "at. It is what looks at pictures that needs a group of its own."
 )
 _SLEEP = "More than one callback sleeps. Only the one that looks at pictures needs time."
 _BLIND = "The vehicle's camera publishes on `picture`, and the node does not subscribe to it."
-_LOOK = "Leave what looks at a picture as it is: 0.3 s for a picture, and then the line."
+_LOOK = "Leave what looks at a picture as it is: 0.3 s for a picture, and then its log line."
 
 
 def check(answer: Answer) -> Iterator[Finding]:
@@ -163,11 +164,15 @@ def check(answer: Answer) -> Iterator[Finding]:
     hint = _SLEEP if len(run.loops) > 1 else _OLD
     if is_rare(run):
         hint = _WAITS if run.language == "cpp" else _ONE_GROUP if run.aside else _ONE_THREAD
+        if any(_SINGLE in line.text for line in run.printed):
+            hint = "The executor has one thread, as its warning says. With two, one can steer while the other looks."
     followed = follows(run, hint)
     yield followed
-    if followed.right and len(commands(run)) < 72:
+    if followed.right and len(commands(run)) < 72 and any(abs(timer.period - 0.1) < 1e-6 for timer in run.timers):
         text = f"{len(commands(run))} commands came in {say(run.seconds)}, where 80 are asked for."
         yield Finding(False, text, "The timer's callback still waits while a picture is looked at.")
+    elif followed.right:
+        yield from steady(run, 0.1)
     looked = [line for line in run.values("CAMERA", "picture") if line.time < run.seconds]
     numbers = [int(line.text) if line.text.isdecimal() and len(line.text) < 6 else 0 for line in looked]
     if len(looked) < 20:
@@ -235,6 +240,25 @@ RIGHT = [
     | {"self.picture_callback, 1)": "self.picture_callback, 1, callback_group=ReentrantCallbackGroup())"},
 ]
 WRONG = [
+    (
+        _THREADS | _GROUP | {"self.create_timer(0.1": "self.create_timer(0.05"},
+        "160 commands came in 8 s, one every 0.05 s",
+    ),
+    (_THREADS | _GROUP | {"self.create_timer(0.1": "self.create_timer(0.2"}, "10 times a second is one every 0.1 s"),
+    (
+        _THREADS
+        | _GROUP
+        | {
+            "        self.create_timer(0.1, self.timer_callback)\n": "",
+            "self.offset = message.data\n": "self.offset = message.data\n        self.timer_callback()\n",
+        },
+        "No timer of the node sends the commands.",
+    ),
+    (
+        _THREADS | _GROUP | {"rclpy.spin(driver_py_node, MultiThreadedExecutor(2))": "MultiThreadedExecutor(2).spin()"},
+        "Does the executor that spins have the node: `add_node(...)`?",
+    ),
+    (_THREADS | {"_callback, 1)": "_callback, 1, callbackgroup=None)"}, "That argument is called `callback_group`."),
     ({}, "the executor that spins has one thread"),
     (_THREADS, "The executor has threads enough now"),
     (

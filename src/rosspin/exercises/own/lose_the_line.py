@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .. import Finding
-from ..driving import TURNS, between, commands, driver_cpp, follows
+from ..driving import TURNS, between, commands, driver_cpp, follows, one_publisher, steady
 from ..judging import Answer, say
 
 TITLE = "At which rate is it lost?"
 TEXT = """
 Commands take computing time, so send as few as you can: find the longest period, in steps of 0.05 s, with which the
-vehicle stays on its line for 8 s at 2 m/s.
+vehicle stays on its line, at most 0.25 m off, for 8 s at 2 m/s.
 """
 REVEALS = "Any rate will do. The faster, the better, and it costs nothing."
 
@@ -79,7 +79,11 @@ def check(answer: Answer) -> Iterator[Finding]:
     mixed = _MIXED if len(commands(run)) > most + 1 else ""
     followed = follows(run, mixed or (TURNS if between(run) <= _SLOWEST else rare))
     yield followed
-    if followed.right:
+    if followed.right and not any(timer.calls for timer in run.timers):
+        yield from steady(run, _SLOWEST)
+    elif followed.right:
+        if wrong := one_publisher(run):
+            yield wrong
         text = f"{len(commands(run))} commands came in {say(run.seconds)}, one every {say(between(run))}."
         hint = "It still keeps to its line if they are rarer. Make the period longer, in steps of 0.05 s."
         steps = between(run) / 0.05
@@ -100,6 +104,14 @@ RIGHT = [
     },
 ]
 WRONG = [
+    (
+        {
+            "        self.create_timer(0.5, self.timer_callback)\n": "        self.heard = 0\n",
+            "self.offset = message.data\n": "self.offset = message.data\n        self.heard += 1\n"
+            "        if self.heard % 6 == 0:\n            self.timer_callback()\n",
+        },
+        "No timer of the node sends the commands.",
+    ),
     ({}, "leaves its line by 1.4 m"),
     ({"0.5, self": "0.35, self"}, "leaves its line"),
     ({"0.5, self": "0.25, self"}, "32 commands came in 8 s, one every 0.25 s"),

@@ -130,6 +130,20 @@ LOOPS = "        while rclpy.ok():\n            self.count()\n            time.s
 WRONG = [
     (
         {
+            MAKES: MAKES.replace("self.create", "self.timer = self.create"),
+            SAYS: f"{SAYS}        if self.counter == 10:\n            self.timer.cancel()\n",
+        },
+        "at 1 s no timer runs any more that printed the counters",
+        "calls back until the node ends",
+    ),
+    ({MAKES: MAKES.replace("self.create", "create", 1)}, "name 'create_timer'", "it is `self.create_timer`"),
+    (
+        {MAKES: MAKES.replace("0.1", "0.2"), SAYS: f"{SAYS}        self.counter += 1\n{SAYS}"},
+        "5 calls of a timer's callback printed 10 counters: a loop is in it",
+        by.RETURNS,
+    ),
+    (
+        {
             "    def timer_callback(self):\n": f"    def timer_callback(self):\n{LOOPS}",
             "import rclpy\n": "import time\nimport rclpy\n",
         },

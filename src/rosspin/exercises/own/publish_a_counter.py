@@ -148,6 +148,36 @@ RIGHT = [
 LOOPS = "        while rclpy.ok():\n            self.count()\n            time.sleep(0.2)\n\n    def count(self):\n"
 WRONG = [
     (
+        {"self.counter_callback, 10)": "self.counter_callback, qos_profile_sensor_data)"}
+        | {"import rclpy\n": "import rclpy\nfrom rclpy.qos import qos_profile_sensor_data\n"},
+        "the listener now has best_effort, volatile, depth 5, where it had reliable, volatile, depth 10",
+        "Leave the listener as it is",
+    ),
+    (
+        {
+            '        self.create_subscription(UInt32, "counter", self.counter_callback, 10)\n': "",
+            "        self.counter += 1\n": "        self.counter += 1\n        if self.counter == 1:\n"
+            '            self.create_subscription(UInt32, "counter", self.counter_callback, 10)\n',
+        },
+        "the listener subscribes only at 0.2 s",
+        "Leave the listener as it is",
+    ),
+    (
+        {PUBLISHES: "        message = UInt32()\n        message.Data = 1\n"},
+        "'UInt32' object has no attribute 'Data'",
+        "Fields are written in small letters",
+    ),
+    (
+        {"        self.publisher = self": "        publisher = self", "self.publisher.pub": "publisher.pub"},
+        "name 'publisher' is not defined",
+        "kept as `self.publisher`",
+    ),
+    (
+        {PUBLISHES: "        message = UInt32\n        message.data = 1\n        self.publisher.publish(message)\n"},
+        "TypeError",
+        "make one, with `()`",
+    ),
+    (
         {
             "    def timer_callback(self):\n": f"    def timer_callback(self):\n{LOOPS}",
             "import rclpy\n": "import time\nimport rclpy\n",

@@ -170,7 +170,11 @@ WRONG = [
         "`[SLOW]`: no counter was printed",
         "The lines should read `[SLOW] counter = 1` and so on.",
     ),
-    ({"self.slowCallback)": "self.fastCallback)"}, "`[SLOW]`: no counter was printed", "callback and counter"),
+    (
+        {"self.slowCallback)": "self.fastCallback)"},
+        "`[SLOW]`: no counter was printed",
+        "given a callback of its own?",
+    ),
     ({"        self.slow_counter = 0\n": ""}, "has no attribute 'slow_counter'", "Python names"),
     (
         {"str(self.slow_counter))": "str(self.slow_counter))\n        rospy.sleep(0.6)"},

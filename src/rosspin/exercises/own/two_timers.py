@@ -188,6 +188,11 @@ RIGHT = [
 ]
 WRONG = [
     (
+        {"        self.create_timer(0.5, self.slow_callback)": "        self.create_timer(0.5, self.fast_callback)"},
+        "`[FAST]`: counter 6 came at 0.5 s, not at 0.6 s",
+        "Of two methods with one name, the later one is called",
+    ),
+    (
         {
             f"        {SLOW}\n": "",
             "        self.fast_counter += 1\n": f"        {SLOW}\n        self.fast_counter += 1\n",
@@ -216,7 +221,11 @@ WRONG = [
         "`[SLOW]`: no counter was printed",
         "The lines should read `[SLOW] counter = 1` and so on.",
     ),
-    ({"self.slow_callback)": "self.fast_callback)"}, "`[SLOW]`: no counter was printed", "callback and counter"),
+    (
+        {"self.slow_callback)": "self.fast_callback)"},
+        "`[SLOW]`: no counter was printed",
+        "given a callback of its own?",
+    ),
     ({"        self.slow_counter = 0\n": ""}, "has no attribute 'slow_counter'", "Python names"),
     ({f"        {SLOW}\n": ""}, "`[SLOW]`: no counter was printed", AS_MANY),
     (
