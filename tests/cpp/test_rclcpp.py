@@ -372,7 +372,7 @@ def test_within_a_process_a_message_is_moved_if_the_node_asks_for_it(write: Writ
 
 CLIENT = """
   auto node = std::make_shared<rclcpp::Node>("node");
-  auto client = node->create_client<std_srvs::srv::Trigger>("nobody");
+  auto client = node->create_client<std_srvs::srv::Trigger>("absent");
   auto ask = [&] { return client->async_send_request(std::make_shared<std_srvs::srv::Trigger::Request>()); };
   ask();
   rclcpp::sleep_for(std::chrono::seconds(2));

@@ -214,7 +214,7 @@ def _in_one_call(run: ObservedRun, counters: Sequence[Printed]) -> Finding | Non
     """Find out whether one call of a timer's callback printed several counters; None if none did."""
     for timer in run.timers:
         own = [line.text for line in counters if line.timer == timer.number]
-        if len(own) > len(timer.calls) + 1:  # that of a call at the end may be missing
+        if len(own) > len(timer.calls) + 1:  # a call at the end may be missing
             first, last = plain(own[0]), plain(own[-1])
             text = f"one call of a timer's callback printed counters {first} to {last}: a loop is in it."
             if len(timer.calls) > 1:

@@ -116,7 +116,7 @@ class ObservedRun(NamedTuple):
 
     ``printed`` are the lines that it printed, even after Ctrl-C; ``timers`` are those that it had started by then.
     ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again,
-    ``naps`` those in which such callbacks did, ``aside`` those of both in which another thread than the first slept.
+    ``naps`` those in which such callbacks did, ``aside`` the lines in which another thread than the first slept so.
     ``endpoints`` are its publishers and subscriptions, ``parameters`` those that it had declared in ROS 2, or asked for
     in ROS 1, ``sent`` the messages that it published, ``calls`` the requests to its services. ``status`` is its exit
     status, ``errors`` are the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until

@@ -136,8 +136,8 @@ def _add_lines(app: Sphinx, doctree: nodes.document, page: str) -> None:
             own = [sections[each] for each in step.sections if each in sections]
             after = [step._replace(sections=(each["ids"][0],), title=each[0].astext()) for each in own[1:]]
             before = steps[number - 2] if number > 1 else None
-            followings = [*after, *steps[number : number + 1], None]
-            for part, (place, following) in enumerate(zip(own, followings), 1):
+            leads = [*after, *steps[number : number + 1], None]
+            for part, (place, following) in enumerate(zip(own, leads), 1):
                 onward = " You have reached its end."
                 if following:
                     to = _address(app, page, following, name)

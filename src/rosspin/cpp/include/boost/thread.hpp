@@ -46,7 +46,7 @@ public:
 };
 typedef condition_variable condition_variable_any;
 
-// One that is not joined goes on alone when this is destroyed.
+// One that is not joined continues alone when this is destroyed.
 class thread : public std::thread
 {
 public:
