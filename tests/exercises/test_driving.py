@@ -98,3 +98,9 @@ def test_an_executor_of_one_thread_is_named(monkeypatch: pytest.MonkeyPatch) -> 
     task = next(task for task in TASKS if task.exercise.name == name)
     answer = task.written(task.right[0]).replace("MultiThreadedExecutor(2)", "MultiThreadedExecutor(1)")
     assert "The executor has one thread, as its warning says" in check(name, answer).hint
+
+
+def test_near_the_limit_a_longer_period_can_be_better() -> None:
+    task = next(task for task in TASKS if task.exercise.name == "lose-the-line")
+    drives = [check("lose-the-line", task.node.replace("0.5, self", f"{period}, self")).drive for period in (0.3, 0.32)]
+    assert drives[1].worst.off < drives[0].worst.off < 0.25

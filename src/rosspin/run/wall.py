@@ -53,6 +53,8 @@ def measure(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
     standard input is empty, and it sees nothing that you have replaced in your modules. When the run is over, nothing
     of it is left, whatever the node does. You can measure several files at a time, each in a thread.
 
+    A C++ node runs on its stand-ins, in a process beside yours, and its threads take turns.
+
     A function runs in your process, so that it can fill lists of yours. It needs the main thread (else RuntimeError).
     If it is inside a call of C code that ignores signals, the run cannot end before that call returns.
 

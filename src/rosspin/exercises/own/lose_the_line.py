@@ -92,6 +92,11 @@ def check(answer: Answer) -> Iterator[Finding]:
         yield Finding(abs(between(run) - _SLOWEST) < 0.005 and not mixed, text, mixed or hint)
 
 
+AFTER = """
+Near the limit, a little more is not always worse: every 0.32 s, the commands happen to come at better places of the
+bends than every 0.3 s.
+"""
+
 RIGHT = [
     {"0.5, self": "0.3, self"},
     {"0.5, self": "3 / 10, self"},
