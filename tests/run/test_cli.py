@@ -149,8 +149,8 @@ def test_a_plot_is_also_put_into_words(tmp_path: Path, capsys: pytest.CaptureFix
 
 
 def test_what_needs_the_real_ros_says_so(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["run", "node.cpp", "--seconds", "1"]) == 1
-    said = "rosspin: node.cpp: C++ nodes run in simulated time or on the real ROS 1: --simulated or --ros1\n"
+    assert main(["run", "node.cpp", "--ros2", "--seconds", "1"]) == 1
+    said = "rosspin: node.cpp: on a real ROS, C++ nodes run on ROS 1 only: --ros1\n"
     assert capsys.readouterr().err == said
 
 

@@ -80,7 +80,7 @@ def test_each_page_says_where_on_a_path_it_is_and_what_comes_next(name: str) -> 
 
 def test_a_path_says_where_it_ends() -> None:
     [line] = _page("exercises/look-while-driving").select(".rosspin-path[data-path=evening]")
-    assert line.get_text().endswith(" 8 of 8. You have reached its end.")
+    assert line.get_text().endswith(" 8 of 8, part 4 of 4. You have reached its end.")
     [line] = _page("notebooks/drive").select(".rosspin-path[data-path=evening]")
     assert _target("notebooks/drive", line.select("a")[-1]) == "exercises/follow-the-line.html"
 
