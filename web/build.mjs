@@ -153,8 +153,8 @@ const { metafile } = await build({
   ...common,
   format: "esm",
   define: { FILES: JSON.stringify(Object.fromEntries(sealed)), ...rules },
-  external: ["./compiled.js", "./sha256.js"],
-  entryPoints: ["compiled.js", "editor.js", "runs.js", "sha256.js", "share.js", "stepper.js"].map((name) => path.join(here, "src", name)),
+  external: ["./compiled.js", "./drive.js", "./sha256.js"],
+  entryPoints: ["compiled.js", "drive.js", "editor.js", "runs.js", "sha256.js", "share.js", "stepper.js"].map((name) => path.join(here, "src", name)),
 })
 const version = JSON.stringify(sha256(readFileSync(path.join(out, "runs.js"))).slice(0, 16))
 

@@ -527,18 +527,41 @@ export class Cell {
   async #finish(result, job) {
     const { count, ticks, lost, chunks, alternative, end, scenes } = result
     const number = this.#runs
-    const { outcome, offerSteps } = await load(this.#base)
-    const { said, pinned } = outcome(result, job, this.#printed?.whole ?? null)
+    const { said, pinned } = (await load(this.#base)).outcome(result, job, this.#printed?.whole ?? null)
     if (number !== this.#runs) return
     this.#pinned = pinned
     this.pin.hidden = !pinned
     if (count) this.#plot?.finish(ticks, count, alternative, chunks, end, lost)
-    if (scenes) {
-      const listing = { name: this.#name, pre: this.#pre, ran: this.#ran }
-      // Below the plot, which is now as high as it will be.
-      this.#endSteps = offerSteps(this.console, this.#base, listing, scenes, () => this.#reveal())
-    }
+    if (scenes) this.#offerSteps(scenes) // below the plot, which is now as high as it will be
     this.#say(said)
+  }
+
+  /**
+   * Let the reader go through what a run did, step by step. Who waits for whom is drawn immediately.
+   *
+   * @param {import("./protocol.js").Scenes} scenes
+   */
+  async #offerSteps(scenes) {
+    /** @type {() => Promise<typeof import("./stepper.js")>} */
+    const load = () => import(`${this.#base}stepper.js`)
+    const steps = make("div", { className: "live-steps" })
+    let end = () => {}
+    this.#endSteps = () => {
+      end()
+      steps.remove()
+    }
+    this.console.before(steps)
+    if (scenes.steps.length) {
+      const [name, pre, ran] = [this.#name, this.#pre, this.#ran]
+      const button = make("button", { type: "button", textContent: "Step through this run" })
+      button.addEventListener("click", async () => {
+        const { open } = await load()
+        if (button.isConnected) end = open(button, name, scenes, pre, ran)
+      })
+      steps.append(button)
+    }
+    if (scenes.rings.length) steps.append(...(await load()).drawn(scenes.rings))
+    this.#reveal()
   }
 
   /**

@@ -1,6 +1,4 @@
-// What to say of a run that has ended, and what to offer.
-
-import { make } from "./make.js"
+// What to say of a run that has ended.
 
 /** What is said of one that went wrong. */
 export const SEE_CONSOLE = "error: see the console"
@@ -29,39 +27,4 @@ export function outcome({ status, errors, count, ticks, drive, hints }, { source
   else if (errors) said = `done, but with an ${SEE_CONSOLE}`
   else if (hints) said += "; see the console"
   return { said, pinned }
-}
-
-/**
- * Let the reader go through what a run did, step by step, before its console. Who waits for whom is drawn immediately. What is
- * returned takes all of it away.
- *
- * @param {HTMLElement} console
- * @param {string} base the address of the folder that our files are in
- * @param {{name: string, pre: HTMLElement, ran: string}} listing what ran
- * @param {import("./protocol.js").Scenes} scenes
- * @param {() => void} shown called when it is there
- */
-export function offerSteps(console, base, { name, pre, ran }, scenes, shown) {
-  /** @type {() => Promise<typeof import("./stepper.js")>} */
-  const load = () => import(`${base}stepper.js`)
-  const steps = make("div", { className: "live-steps" })
-  let end = () => {}
-  console.before(steps)
-  if (scenes.steps.length) {
-    const button = make("button", { type: "button", textContent: "Step through this run" })
-    button.addEventListener("click", async () => {
-      const { open } = await load()
-      if (button.isConnected) end = open(button, name, scenes, pre, ran)
-    })
-    steps.append(button)
-  }
-  const draw = async () => {
-    if (scenes.rings.length) steps.append(...(await load()).drawn(scenes.rings))
-    shown()
-  }
-  draw()
-  return () => {
-    end()
-    steps.remove()
-  }
 }

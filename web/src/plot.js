@@ -1,6 +1,5 @@
 // The ticks of a run as they come, in the look of the site's figures.
 
-import { drawDrive } from "./drive.js"
 import { SHOWN } from "./limits.js"
 import { make } from "./make.js"
 import { Painter } from "./painter.js"
@@ -24,6 +23,8 @@ export class Plot {
   /** @type {Tick[]} */
   #ticks = []
   #painter = new Painter(() => this.#paint("Timeline of a run in progress.", this.#until))
+  /** @type {string[]} */
+  #drive = []
   #seconds = 0 // that a run should last
   /** @type {number[][]} */
   #chunks = [] // of each tick: what it printed
@@ -72,9 +73,17 @@ export class Plot {
     return Math.min(this.#seconds, STEP * Math.ceil((last + 1e-9) / STEP))
   }
 
-  /** @param {string[]} drive */
-  drive(drive) {
-    this.driven.replaceChildren(drawDrive(drive) ?? "")
+  /**
+   * Draw what a vehicle did, if there was one. What draws it is loaded then.
+   *
+   * @param {string[]} drive
+   */
+  async drive(drive) {
+    this.#drive = drive
+    this.driven.replaceChildren()
+    if (!drive.length) return
+    const { drawDrive } = await import("./drive.js")
+    if (this.#drive === drive) this.driven.replaceChildren(drawDrive(drive) ?? "")
   }
 
   /** @param {Tick[]} ticks */

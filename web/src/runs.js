@@ -6,7 +6,7 @@ import { Fault, load } from "./files.js"
 import { CPP, PYTHON, Sandbox } from "./sandboxes.js"
 
 export { Console } from "./console.js"
-export { offerSteps, outcome } from "./outcome.js"
+export { outcome } from "./outcome.js"
 export { Plot } from "./plot.js"
 export { Sandbox }
 

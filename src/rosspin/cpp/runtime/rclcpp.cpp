@@ -929,15 +929,7 @@ Events::Events(
   add("deadline", callbacks.deadline_callback);
   add("liveliness", callbacks.liveliness_callback);
   add("incompatible_qos", callbacks.incompatible_qos_callback ? callbacks.incompatible_qos_callback : otherwise);
-  if (auto matched = callbacks.matched_callback)
-    add("matched",
-        [matched](QOSEventInfo& info)
-        {
-          auto size = [](std::int32_t count) { return static_cast<std::size_t>(count); };
-          MatchedInfo told{size(info.total_count), size(info.total_count_change), size(info.current_count),
-              info.current_count_change};
-          matched(told);
-        });
+  add("matched", callbacks.matched_callback);
 }
 
 std::vector<rosspin::Value> Events::names() const
@@ -1030,19 +1022,59 @@ std::size_t PublisherBase::get_intra_process_subscription_count() const
   return count;
 }
 
-// Of several subscriptions in this process, the one made last is given it; the others are given copies.
-void PublisherBase::send(detail::Moved moved)
+namespace
 {
-  send(moved.bytes);
-  SubscriptionBase* last = nullptr;
+// A message that goes to a subscription as it is, the oldest first, and what is sent of it meanwhile.
+struct Moved
+{
+  const SubscriptionBase* to;
+  std::string bytes;
+  void* message;
+  void (*drop)(void*);
+  Moved* next;
+};
+Moved* moved = nullptr;
+
+// Take one off; return its message.
+void* unlinked(Moved** place)
+{
+  Moved* taken = *place;
+  *place = taken->next;
+  void* message = taken->message;
+  delete taken;
+  return message;
+}
+
+bool drop_oldest(const SubscriptionBase* to)
+{
+  for (Moved** place = &moved; *place; place = &(*place)->next)
+    if ((*place)->to == to)
+    {
+      auto drop = (*place)->drop;
+      drop(unlinked(place));
+      return true;
+    }
+  return false;
+}
+}  // namespace
+
+// Of several subscriptions in this process, the one made last is given it; the others are given copies.
+void PublisherBase::send(const std::string& bytes, void* message, void (*drop)(void*))
+{
+  send(bytes);
+  const SubscriptionBase* last = nullptr;
   for (const auto& [id, each] : all<SubscriptionBase>())
     if (is_intra_process_ && each->is_intra_process_ && each->topic_ == topic_ && each->type_ == type_)
       last = each;
   if (!last)
-    return;
-  if (last->moved_.size() > last->received_.size() + 1)
-    last->moved_.pop_front();  // it will not come
-  last->moved_.push_back(std::move(moved));
+    return drop(message);
+  std::size_t count = 0;
+  Moved** end = &moved;
+  for (; *end; end = &(*end)->next)
+    count += (*end)->to == last;
+  *end = new Moved{last, bytes, message, drop, nullptr};
+  if (last->qos_.history() == HistoryPolicy::KeepLast && count > last->qos_.depth())
+    drop_oldest(last);  // it will not come
 }
 
 SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& topic,
@@ -1069,6 +1101,7 @@ SubscriptionBase::~SubscriptionBase()
 {
   auto& others = all<SubscriptionBase>();
   others.erase(id_);
+  while (drop_oldest(this)) {}
   rosspin::tell("end_subscription", {id_});
   if (!at_once_)
     rosspin::lose(topic_);
@@ -1109,13 +1142,9 @@ bool SubscriptionBase::take_one(Received& received)
 
 void* SubscriptionBase::take_moved(const std::string& bytes)
 {
-  for (auto each = moved_.begin(); each != moved_.end(); ++each)
-    if (each->bytes == bytes)
-    {
-      void* message = each->message.release();
-      moved_.erase(moved_.begin(), std::next(each));
-      return message;
-    }
+  for (Moved** place = &moved; *place; place = &(*place)->next)
+    if ((*place)->to == this && (*place)->bytes == bytes)
+      return unlinked(place);
   return nullptr;
 }
 

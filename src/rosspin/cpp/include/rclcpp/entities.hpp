@@ -266,12 +266,30 @@ using SubscriptionMatchedInfo = MatchedInfo;
 
 using QOSEventCallback = std::function<void(QOSEventInfo&)>;
 
+// One that is told of ends that match.
+struct MatchedCallback : QOSEventCallback
+{
+  MatchedCallback() = default;
+  template<class Callback, std::enable_if_t<std::is_invocable_v<Callback&, MatchedInfo&>, int> = 0>
+  MatchedCallback(Callback callback)
+    : QOSEventCallback(
+          [callback](QOSEventInfo& info) mutable
+          {
+            auto size = [](std::int32_t count) { return static_cast<std::size_t>(count); };
+            MatchedInfo told{size(info.total_count), size(info.total_count_change), size(info.current_count),
+                info.current_count_change};
+            callback(told);
+          })
+  {
+  }
+};
+
 // What publishers and subscriptions call, some of it never: nothing is lost, and Fast DDS does not tell of types.
 struct EventCallbacks
 {
   QOSEventCallback deadline_callback, liveliness_callback, incompatible_qos_callback, incompatible_type_callback,
       message_lost_callback;
-  std::function<void(MatchedInfo&)> matched_callback;
+  MatchedCallback matched_callback;
 };
 using PublisherEventCallbacks = EventCallbacks;
 using SubscriptionEventCallbacks = EventCallbacks;
@@ -324,13 +342,6 @@ using SubscriptionOptions = SubscriptionOptionsWithAllocator<std::allocator<void
 
 namespace detail
 {
-// A message that goes from a publisher to a subscription as it is, in one process, and what is sent meanwhile.
-struct Moved
-{
-  std::string bytes;
-  std::unique_ptr<void, void (*)(void*)> message;
-};
-
 // Tells a callback what has happened to an end of a topic, once for all since the last call.
 class Event : public Callable
 {
@@ -386,7 +397,8 @@ public:
 
 protected:
   void send(const std::string& bytes);
-  void send(detail::Moved moved);
+  // The same of a message that a subscription in this process may be given as it is; else it is dropped.
+  void send(const std::string& bytes, void* message, void (*drop)(void*));
   bool can_loan_ = false;
 
 private:
@@ -453,7 +465,7 @@ public:
     if (!message)
       throw std::runtime_error("cannot publish msg which is a null pointer");
     std::string bytes = detail::serialized(*message);
-    send({std::move(bytes), {message.release(), [](void* from) { delete static_cast<M*>(from); }}});
+    send(bytes, message.release(), [](void* from) { delete static_cast<M*>(from); });
   }
 };
 
@@ -501,7 +513,6 @@ private:
   std::int64_t id_;
   bool at_once_ = false;
   std::deque<Received> received_;
-  std::deque<detail::Moved> moved_;
 };
 
 namespace detail
