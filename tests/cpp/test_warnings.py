@@ -129,3 +129,22 @@ def test_no_right_answer_is_warned_of(name: str, answer: Any) -> None:
     lesson = IN_CPP[name]
     text = lesson.node if answer is None else lesson.written(answer)
     assert build("answer.cpp", text=text, closed=True).warnings == ""
+
+
+@pytest.mark.parametrize(
+    ("bound", "said"),
+    [
+        ("std::bind(&Counter::tick, this)", "The method takes other parameters than it is given: a timer of ROS 2"),
+        ("std::bind(&Counter::tick)", "A method is called on an object, which is missing here"),
+    ],
+)
+def test_what_is_wrong_with_a_bound_method_is_said(tmp_path: Path, bound: str, said: str) -> None:
+    node = tmp_path / "node.cpp"
+    node.write_text(
+        '#include "rclcpp/rclcpp.hpp"\nstruct Counter : rclcpp::Node\n{\n  Counter() : Node("counter")\n  {\n'
+        f"    timer = create_wall_timer(std::chrono::seconds(1), {bound});\n  }}\n"
+        "  void tick(int) {}\n  rclcpp::TimerBase::SharedPtr timer;\n};\nint main() { Counter counter; }\n"
+    )
+    with pytest.raises(building.CompileError) as told:
+        build(node)
+    assert advice(str(told.value)).startswith(said)

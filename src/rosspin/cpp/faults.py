@@ -26,6 +26,11 @@ ADVICE = (
         "In ROS 1 a period is a duration: write ros::Duration(0.1) in place of 0.1.",
     ),
     (
+        r"to object of type '.*__bind<.*\(\w+::\*\)\(.*\w+ \*>'",
+        "The method takes other parameters than it is given: a timer of ROS 2 gives none, a subscription the message, "
+        "in the place of std::placeholders::_1.",
+    ),
+    (
         r"is_convertible_v<void \(\w+::[\s\S]*requires at least 3 arguments, but 2 were"
         r"|'void \(\*\)\(P\)' against 'void \(\w+::|to object of type '.*__bind<",
         "A method is called on an object, which is missing here: write &SpinnerCppNode::timerCallback, this in ROS 1, "
