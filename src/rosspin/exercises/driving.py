@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from ..vehicle.drives import OTHERS, Command, Spot, say_off
+from ..vehicle.drives import OTHERS, STILL, Command, Spot, say_off
 from ..vehicle.physics import EDGE, FASTEST, Place, Vehicle
 from .feedback import Finding
+from .judges import CLOSE, ONCE
 from .judging import plain, say
 from .observed import ObservedRun
 
@@ -31,8 +32,6 @@ TURNS = "The commands come often enough. Is the turn 8.0 times the newest offset
 _LEAST = 0.9  # of the way that it can go, it has to go so much
 _LONGEST = 0.35  # s; commands that come as rarely as this lose the line
 _OWN = ("/rosout", "/parameter_events")  # of every node
-_AT_ONCE = 1e-3  # s; commands that are closer come at a time
-_STILL = 0.05  # m; farther than this, it has moved
 
 _DRIVER_CPP = """
 #include <chrono>
@@ -115,7 +114,7 @@ def steady(run: ObservedRun, period: float, loops: Sequence[int] = ()) -> Iterat
     times = [command.time for command in commands(run)]
     if wrong := one_publisher(run):
         yield wrong
-    if sum(after - time < _AT_ONCE for time, after in pairwise(times)) > len(times) / 3:
+    if sum(after - time < CLOSE for time, after in pairwise(times)) > len(times) / 3:
         text = f"{len(times)} commands came in {say(run.seconds)}, two at a time."
         yield Finding(False, text, "Do two timers send them, or does one call of the callback send two?")
         return
@@ -131,8 +130,7 @@ def one_publisher(run: ObservedRun) -> Finding | None:
     made = len(run.endpoints_of("/cmd_vel", True))
     if made < 2:
         return None
-    hint = "Make it once, where the node is made: a new one may not be connected to other processes yet."
-    return Finding(False, f"the node made {made} publishers of `/cmd_vel`, where one would do.", hint)
+    return Finding(False, f"the node made {made} publishers of `/cmd_vel`, where one would do.", ONCE)
 
 
 def _from_no_timer(run: ObservedRun, sent: int, loops: Sequence[int]) -> Finding | None:
@@ -157,7 +155,7 @@ def unmoved(run: ObservedRun) -> Finding | None:
     """Find out why the vehicle was sent nothing that moves it; None if it was."""
     sent = commands(run)
     if any(command.speed for command in sent):
-        if _way(run.drive.spots) > _STILL:
+        if _way(run.drive.spots) > STILL:
             return None
         text = f"a command came on `/cmd_vel`, at {say(sent[0].time)}, but it did not reach the vehicle."
         types = {plain(each.type) for each in run.sent if each.topic == "/cmd_vel"}
@@ -219,7 +217,7 @@ def stands(run: ObservedRun, first: float, last: float, hint: str) -> Finding:
     """Whether the vehicle stands still from one time (s) to another."""
     spots = [spot for spot in run.drive.spots if first <= spot.time <= last]
     way = _way(spots)
-    if way > _STILL:
+    if way > STILL:
         return Finding(False, f"from {say(first)} to {say(last)} the vehicle drove {way:.1f} m.", hint)
     return Finding(True, f"from {say(first)} to {say(last)} the vehicle stands still.")
 

@@ -438,7 +438,7 @@ _EVERY = "Five times a second is once in 1 / 5 s. That is the period, which a ti
 _SAME = "Both ends of a topic have to name the same type: otherwise they do not connect."
 _LISTENER = "Leave the listener as it is: only the publisher is missing."
 _QOS = "reliable, volatile, depth 10"
-_ONCE = (
+ONCE = (
     "A publisher that was made just now may not be connected to other processes yet. Make it once, before the timer "
     "is made, and keep it where the callback finds it."
 )
@@ -468,7 +468,7 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
     yield on_topic
     publishers = [endpoint.made for endpoint in run.endpoints_of("/counter", True)]
     heard = run.values("LISTENER", "counter")
-    listeners, hint = run.endpoints_of("/counter", False), _ONCE
+    listeners, hint = run.endpoints_of("/counter", False), ONCE
     if not listeners:
         hint = "Nothing subscribes to `/counter` any more. Leave the listener as it is."
     elif listeners[0].refused:
@@ -485,14 +485,14 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
     elif not (on_topic.right and by_listener.right):
         yield by_listener
     elif len(publishers) > 1:
-        yield Finding(False, f"the node made {len(publishers)} publishers of `/counter`, where one would do.", _ONCE)
+        yield Finding(False, f"the node made {len(publishers)} publishers of `/counter`, where one would do.", ONCE)
     elif listeners[0].made > sent[0].time - CLOSE:
         yield Finding(False, f"the listener subscribes only at {say(listeners[0].made)}.", _LISTENER)
     elif listeners[0].qos not in ("", _QOS):
         yield Finding(False, f"the listener now has {listeners[0].qos}, where it had {_QOS}.", _LISTENER)
     elif publishers[0] > sent[0].time - CLOSE:
         text = f"the publisher was made at {say(publishers[0])}, when its first message was already due."
-        yield Finding(False, text, _ONCE)
+        yield Finding(False, text, ONCE)
     else:
         yield by_listener
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from ..results.ticks import Message
 from .physics import EDGE, START, nearest, point
 
-__all__ = ["NODE", "OTHERS", "Command", "Drive", "Spot", "say_off"]
+__all__ = ["NODE", "OTHERS", "STILL", "Command", "Drive", "Spot", "say_off"]
 
 NODE = "/vehicle"
 """The full name of its node."""
@@ -18,7 +18,9 @@ NODE = "/vehicle"
 OTHERS = ("/joystick", "/tablet")
 """The full names of the nodes that steer it together with an answer."""
 
-_STILL = 0.05  # m; farther than this, it has moved
+STILL = 0.05
+"""A vehicle that has gone no farther (m) than this stands still."""
+
 _JUMP = 0.5  # m; so far nothing drives between two messages that say where it is
 
 
@@ -80,7 +82,7 @@ class Drive(NamedTuple):
         came = ", ".join(f"{count} from {node}" for node, count in senders.items()) or "none"
         last = self.spots[-1]
         drives = f"drives {self.way:.1f} m in {last.time:g} s and {say_off(self.worst.off, self.worst.time)}"
-        if self.way < _STILL:
+        if self.way < STILL:
             drives = f"stands still for {last.time:g} s"
         return f"The vehicle {drives}. Commands: {came}."
 

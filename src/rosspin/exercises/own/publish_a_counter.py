@@ -124,8 +124,8 @@ SOLUTION = {
 }
 
 AFTER = """
-A publisher that is made in the callback mostly works, too: on the real `rclpy`, with a listener in another process on
-the same computer, its first message was lost in 1 of 66 runs. That is seldom enough for a test to miss it.
+A publisher that is made in the callback mostly works, too. Whether the listener in another process knows it in time is
+left to chance, on the real `rclpy` as well, so a test easily misses that a message is lost.
 """
 
 SPIN = "        rclpy.spin(spinner_py_node)\n"
