@@ -6,7 +6,7 @@ import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, r
 import { createHash } from "node:crypto"
 import { createRequire } from "node:module"
 import path from "node:path"
-import { gunzipSync, gzipSync } from "node:zlib"
+import { constants, zstdCompressSync, zstdDecompressSync } from "node:zlib"
 
 import { snapshot } from "./snapshot.mjs"
 
@@ -106,21 +106,22 @@ inputs.forEach((file) => hash.update(readFileSync(file)))
 const made = hash.digest("hex").slice(0, 16)
 function isWhole(file) {
   try {
-    return gunzipSync(readFileSync(file)).length > 0 // which has a checksum
+    return zstdDecompressSync(readFileSync(file)).length > 0 // which has a checksum
   } catch {
     return false
   }
 }
 const keeping = path.join(out, "../..")
-const kept = path.join(keeping, `snapshot-${made}.gz`)
+const kept = path.join(keeping, `snapshot-${made}.zst`)
 for (const name of readdirSync(keeping)) {
-  if (/^snapshot-.*\.gz(\.part)?$/.test(name) && path.join(keeping, name) !== kept) rmSync(path.join(keeping, name))
+  if (/^snapshot-.*\.(gz|zst)(\.part)?$/.test(name) && path.join(keeping, name) !== kept) rmSync(path.join(keeping, name))
 }
 if (!isWhole(kept)) {
   const { info } = JSON.parse(readFileSync(path.join(pyodide, "pyodide-lock.json"), "utf8"))
-  writeWhole(kept, gzipSync(await snapshot(pyodide, path.join(out, "rosspin.zip"), info), { level: 9 }))
+  const params = { [constants.ZSTD_c_compressionLevel]: 17, [constants.ZSTD_c_checksumFlag]: 1 }
+  writeWhole(kept, zstdCompressSync(await snapshot(pyodide, path.join(out, "rosspin.zip"), info), { params }))
 }
-cpSync(kept, path.join(out, "snapshot.gz"))
+cpSync(kept, path.join(out, "snapshot.zst"))
 
 // What runs in a sandbox: its workers, each of which is all one text, and its page, which has no address to load from, not even its
 // own script. "blob:" is what it is sent.
@@ -130,8 +131,8 @@ await build({
   define: { "import.meta.url": JSON.stringify("memory:/") }, // where it believes that its files are
   entryPoints: [path.join(here, "src/worker.js")],
 })
-const inCpp = ["cpp.js", "clang.js"].map((name) => path.join(here, "src", name))
-const { metafile: ofCpp } = await build({ ...common, entryPoints: inCpp })
+const working = ["cpp.js", "clang.js", "unpack.js"].map((name) => path.join(here, "src", name))
+const { metafile: ofWorkers } = await build({ ...common, entryPoints: working })
 const { outputFiles } = await build({ ...common, write: false, entryPoints: [path.join(here, "src/sandbox.js")] })
 const script = outputFiles[0].text
 const policy = `default-src 'none'; script-src 'sha256-${sha256(script, "base64")}' blob: 'wasm-unsafe-eval'`
@@ -146,8 +147,8 @@ writeFileSync(
 )
 
 // Loaded when a listing is touched, or an answer judged. What runs code knows each file that it starts from.
-const sealed = ["pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip", "snapshot.gz"]
-  .concat(["sandbox.html", "worker.js", "cpp.js", "clang.js"])
+const sealed = ["pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip", "snapshot.zst"]
+  .concat(["sandbox.html", "worker.js", "cpp.js", "clang.js", "unpack.js"])
   .map((name) => [name, sha256(readFileSync(path.join(out, name)))])
 const { metafile } = await build({
   ...common,
@@ -187,7 +188,7 @@ const live = await build({
 
 // What is bundled keeps its licence.
 const used = new Set(["pyodide"])
-for (const file of Object.keys({ ...metafile.inputs, ...ofCpp.inputs })) {
+for (const file of Object.keys({ ...metafile.inputs, ...ofWorkers.inputs })) {
   const found = file.match(/node_modules\/((?:@[^/]+\/)?[^/]+)/)
   if (found) used.add(found[1])
 }

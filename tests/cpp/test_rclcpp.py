@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks.rclcpp_nodes import read_ticks
-from rosspin import NotSimulated, simulate
+from rosspin import Node, NotSimulated, simulate
 from rosspin.results.recordings import load
 from tests.helpers.cpp_in_page import scenarios_are_like
 from tests.helpers.cpp_probes import differences
@@ -52,6 +52,53 @@ def test_python_hears_cpp_and_cpp_hears_python() -> None:
     ]
     run = simulate([str(PYTHON / "publisher_py_node.py"), str(PACKAGE / "subscriber_cpp_node.cpp")], 2.0)
     assert "[SUBSCRIBER CPP NODE] counter = 3" in run.console
+
+
+LOGS = """\
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("talker");
+  auto child = node->get_logger().get_child("motor");
+  RCLCPP_INFO(node->get_logger(), "early");
+  auto timer = node->create_wall_timer(std::chrono::milliseconds(500), [&] {
+    RCLCPP_WARN(node->get_logger(), "hot");
+    RCLCPP_ERROR(child, "stuck");
+    RCLCPP_DEBUG(child, "too little");
+    RCLCPP_INFO(rclcpp::get_logger("talker.other"), "no child");
+  });
+  rclcpp::spin(node);
+  RCLCPP_INFO(node->get_logger(), "late");
+}
+"""
+HEARS_LOGS = """\
+import rclpy
+from rcl_interfaces.msg import Log
+from rclpy.qos import DurabilityPolicy, QoSProfile
+
+rclpy.init()
+node = rclpy.create_node("ear")
+def hear(log):
+    print(log.name, log.level, log.msg, log.stamp.nanosec, log.file[-11:], log.line, log.function)
+
+node.create_subscription(Log, "/rosout", hear, QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL))
+rclpy.spin(node)
+"""
+
+
+def test_other_nodes_hear_what_it_logs(write: Write) -> None:
+    """What its node's logger says and those below it, from the beginning, until it shuts down."""
+    nodes = [write(LOGS, "talker.cpp"), write(HEARS_LOGS, "ear.py")]
+    run = simulate([str(node) for node in nodes], 0.6)
+    heard = [line for line in run.console.splitlines() if line.startswith("talker")]
+    assert heard == [
+        "talker 20 early 0 /talker.cpp 7 main",
+        "talker 30 hot 500000000 /talker.cpp 9 operator()",
+        "talker.motor 40 stuck 500000000 /talker.cpp 10 operator()",
+    ]
+    run = simulate([Node(str(nodes[0]), ["--ros-args", "--disable-rosout-logs"]), str(nodes[1])], 0.6)
+    assert not [line for line in run.console.splitlines() if line.startswith("talker")]
 
 
 HOLDS = """\

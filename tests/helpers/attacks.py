@@ -107,7 +107,7 @@ def succeeded(results: Mapping[str, str]) -> dict[str, str]:
 SCRIPT = """
 self.postMessage("taken")
 fetch("SITE?stolen").catch(() => {})
-caches.open("rosspin").then((cache) => cache.put("SITE_static/live/snapshot.gz?stolen", new Response("x")))
+caches.open("rosspin").then((cache) => cache.put("SITE_static/live/snapshot.zst?stolen", new Response("x")))
 new BroadcastChannel("page").postMessage("stolen")
 """
 

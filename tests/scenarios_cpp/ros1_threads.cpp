@@ -720,6 +720,20 @@ Scenarios scenarios()
     spinner.start();
     work(0.9);
   };
+  all["async_spinner_stops_when_it_looks"] = [](NodeHandle&)  // each 0.1 s
+  {
+    ros::AsyncSpinner spinner(2);
+    spinner.start();
+    work(0.22);
+    say("stops");
+    spinner.stop();
+    say("has stopped");
+    spinner.start();
+    work(0.42);
+    say("stops again");
+    spinner.stop();
+    say("has stopped again");
+  };
   all["multi_threaded_spinner_of_two"] = [](NodeHandle& nh)
   {
     Slow slow(nh, 0.4, 0.9, 0.8);

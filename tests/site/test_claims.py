@@ -60,7 +60,7 @@ def test_the_size_of_what_a_first_run_loads_is_right(site: Path, name: str) -> N
     """The files that a browser was seen to load; gzip makes the interpreter and the worker smaller."""
     files = [
         (site / "_static/live" / file).read_bytes()
-        for file in ("live.js", "runs.js", "sandbox.html", "pyodide.asm.wasm", "worker.js", "snapshot.gz")
+        for file in ("live.js", "runs.js", "sandbox.html", "pyodide.asm.wasm", "worker.js", "snapshot.zst")
     ]
     text = (ROOT / f"docs/{name}.rst").read_text(encoding="utf-8")
     found = re.search(r"loads\s+less\s+than\s+(\d+)\s+MB\s+from\s+this\s+site,\s+or\s+(\d+)\s+MB\s+if\s+the", text)

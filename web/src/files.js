@@ -44,10 +44,24 @@ export async function load(name) {
   throw new Fault(wrong(name))
 }
 
-const SNAPSHOT = "snapshot.gz"
+const SNAPSHOT = "snapshot.zst"
 
-/** The snapshot, likewise: from what the browser keeps if it is there and right, else from the site, to be kept. */
+/** The snapshot, unpacked: from what the browser keeps if it is there and right, else from the site, to be kept. */
 export async function loadSnapshot() {
+  const unpacker = new Worker(address("unpack.js"))
+  try {
+    const bytes = await packedSnapshot()
+    return await new Promise((/** @type {(bytes: ArrayBuffer) => void} */ resolve, reject) => {
+      unpacker.onmessage = ({ data }) => resolve(data)
+      unpacker.onerror = () => reject(new Error(`${SNAPSHOT} could not be unpacked`))
+      unpacker.postMessage(bytes)
+    })
+  } finally {
+    unpacker.terminate()
+  }
+}
+
+async function packedSnapshot() {
   const cache = await opening
   const found = await cache?.match(address(SNAPSHOT))
   if (cache && found) {

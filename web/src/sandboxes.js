@@ -13,7 +13,7 @@ const WORD = 5000
 const AGAIN = 300
 
 /** What a sandbox runs: its script, what that starts from, and what it may need later on. */
-const SNAPSHOT = "snapshot.gz"
+const SNAPSHOT = "snapshot.zst"
 export const PYTHON = {
   script: "worker.js",
   files: ["pyodide.asm.wasm", SNAPSHOT],

@@ -174,7 +174,7 @@ async function boot() {
   const compiled = file("pyodide.asm.wasm").promise.then((bytes) => WebAssembly.compile(/** @type {ArrayBuffer} */ (bytes)))
   compiled.catch(() => {}) // it is awaited later
   await new Promise((go) => setTimeout(go)) // if the file is here, others compile it while this thread continues
-  const { python, supply } = await start(compiled, file("snapshot.gz").promise).catch(() => start(compiled))
+  const { python, supply } = await start(compiled, file("snapshot.zst").promise).catch(() => start(compiled))
   files.clear() // what it started from; more is asked for
   const page = python.pyimport("rosspin.page")
   page.wake(supply)

@@ -6,6 +6,7 @@ rclpy's stand-in: both find each other on one graph by the same rules, and read 
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable
 from importlib import import_module
@@ -13,7 +14,7 @@ from itertools import count
 from typing import Any
 
 from ..messages import cdr
-from ..rclpy import context, logging
+from ..rclpy import context, logging, own_topics
 from ..rclpy.duration import Duration
 from ..rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from ..rclpy.exceptions import (
@@ -87,6 +88,8 @@ class Ros2:
             "publish": lambda number, data: self._publishers[number].publish(data),
             "assert_liveliness": lambda number: self._publishers[number].assert_liveliness(),
             "respond": self._respond,
+            "log": self._log,
+            "child_logger": lambda name, suffix: logging.get_logger(name).get_child(suffix),
             "parameter_event": lambda number, data: self._nodes[number].tell_parameter_event(data),
             "end_node": lambda number: self._nodes[number].destroy_node(),
             "end_publisher": lambda number: self._publishers[number].destroy(),
@@ -129,6 +132,7 @@ class Ros2:
             "level": int(own.level),
             "levels": {name: int(level) for name, level in own.levels.items()},
             "console": own.console,
+            "rosout": own.rosout is not None,
             "form": form.line,
             "to_stdout": form.to_stdout,
             "coloured": stream.isatty() if form.coloured is None else form.coloured,
@@ -167,6 +171,12 @@ class Ros2:
                 for each in found
             ]
         }
+
+    def _log(self, level: int, name: str, text: str, file: str, function: str, line: int) -> None:
+        """Publish a message on /rosout, if its logger belongs to a node."""
+        publish = (logging.logs().rosout or {}).get(name)
+        if publish:
+            publish(level, name, text, line, own_topics.Code(re.sub(r"^node/\d+/", "", file), function))
 
     # --- topics and services ---
 

@@ -35,8 +35,8 @@ class LoggingSeverity(IntEnum):
     FATAL = 50
 
 
-# Publishes a message: its severity, its logger's name, its text, and the frame of the call.
-Publish = Callable[[int, str, str, FrameType], None]
+# Publishes a message: its severity, its logger's name, its text, and the line and the code that logged it.
+Publish = Callable[[int, str, str, int, Any], None]
 
 _COLOURS = {10: "\033[32m", 20: "\033[0m", 30: "\033[33m", 40: "\033[31m", 50: "\033[31m"}
 _DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
@@ -252,7 +252,7 @@ def _write(own: Logs, severity: LoggingSeverity, name: str, message: str, frame:
         _print(own, severity, name, message, frame)
     publish = own.rosout.get(name) if own.rosout else None
     if publish and not own.is_over:
-        publish(severity, name, message, frame)
+        publish(severity, name, message, frame.f_lineno, frame.f_code)
     elif publish:  # a signal has come, and no one has shut down
         sys.stderr.write("Failed to publish log message to rosout: publisher's context is invalid\n")
 

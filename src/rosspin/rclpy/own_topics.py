@@ -8,8 +8,8 @@ from __future__ import annotations
 import os
 from collections import deque
 from collections.abc import Callable
-from types import CodeType, FrameType, ModuleType
-from typing import TYPE_CHECKING, Any
+from types import CodeType, ModuleType
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .discovery import Participants
 from .duration import Duration
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from .handle import RclNode
     from .topics import Publisher
 
-__all__ = ["PARAMETER_EVENTS", "ROSOUT", "TYPES", "OwnTopics", "look"]
+__all__ = ["PARAMETER_EVENTS", "ROSOUT", "TYPES", "Code", "OwnTopics", "look"]
 
 PARAMETER_EVENTS = "/parameter_events"
 ROSOUT = "/rosout"
@@ -34,6 +34,13 @@ _QOS = {
     PARAMETER_EVENTS: qos_profile_parameter_events,
     ROSOUT: QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=10)),
 }
+
+
+class Code(NamedTuple):
+    """Where a message was logged, in a language that has no code objects."""
+
+    co_filename: str
+    co_name: str
 
 
 class _Looked(set[str]):
@@ -49,7 +56,7 @@ class OwnTopics:
         self._topics = [PARAMETER_EVENTS, ROSOUT] if on_rosout else [PARAMETER_EVENTS]
         self._rosout: PublisherEndpoint | None = None
         # What was logged before someone listens: when (ns), level, logger, text, line, code.
-        self._early: deque[tuple[int, int, str, str, int, CodeType]] = deque(maxlen=_QOS[ROSOUT].depth)
+        self._early: deque[tuple[int, int, str, str, int, CodeType | Code]] = deque(maxlen=_QOS[ROSOUT].depth)
 
     def look(self) -> None:
         """Make the publishers of the topics at which someone has looked in this run."""
@@ -103,17 +110,17 @@ class OwnTopics:
         event.deleted_parameters = [each.to_parameter_msg() for each in deleted]
         publisher.publish(event)
 
-    def tell_log(self, level: int, name: str, message: str, frame: FrameType) -> None:
-        """Publish a message of the node's logger, or of one below it. ``frame`` is the call."""
+    def tell_log(self, level: int, name: str, message: str, line: int, code: CodeType | Code) -> None:
+        """Publish a message of the node's logger, or of one below it, and where it was logged."""
         if self._node.context.ok():
             now = self._node.context.state.clock.system()
-            logged = now, level, name, message, frame.f_lineno, frame.f_code
+            logged = now, level, name, message, line, code
             if self._rosout:
                 self._rosout.publish(self._line(*logged))
             else:
                 self._early.append(logged)
 
-    def _line(self, when: int, level: int, name: str, text: str, number: int, code: CodeType) -> Any:
+    def _line(self, when: int, level: int, name: str, text: str, number: int, code: CodeType | Code) -> Any:
         file, stamp = os.path.abspath(code.co_filename), Time(nanoseconds=when).to_msg()
         kind: Any = self._types.Log
         return kind(stamp=stamp, level=level, name=name, msg=text, file=file, function=code.co_name, line=number)

@@ -46,7 +46,7 @@ def test_the_first_click_loads_at_most_150_kb_and_no_python(
     assert cell.ends("done: 4 ticks") == console(name, 2)
     files = {site / urlsplit(url).path.lstrip("/") for url in asked}
     assert {file.name.split(".")[-1] for file in files} == {"js", "html", "gz"}
-    assert not {"worker.js", "snapshot.gz"} & {file.name for file in files}
+    assert not {"worker.js", "snapshot.zst"} & {file.name for file in files}
     assert sum(len(gzip.compress(file.read_bytes())) for file in files) <= 150_000
     ticks = simulate(EXAMPLES / name, 2).ticks
     expect(cell.plot).to_have_attribute("aria-label", f"Timeline. {describe_timeline(ticks[0].source, ticks)}")

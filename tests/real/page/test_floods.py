@@ -144,7 +144,7 @@ def test_what_a_run_has_started_ends_with_it(context: BrowserContext, address: s
     """Though the next Python cannot start: before, the last one was kept for that case."""
     page = context.new_page()
     open_tutorial(page, address)
-    context.route("**/snapshot.gz*", lambda route: route.fallback())
+    context.route("**/snapshot.zst*", lambda route: route.fallback())
     cell = Cell(page, TIMER)
     cell.button("Run").hover()
     have_workers(page, 1)

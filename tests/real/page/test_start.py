@@ -51,7 +51,7 @@ def test_python_is_asked_for_when_the_reader_points_at_run(context: BrowserConte
     open_tutorial(page, address)
     asks_for_no_more(page)
     assert not [url for url in asked if "/live/live." not in url]
-    with page.expect_request(re.compile("/snapshot.gz")):
+    with page.expect_request(re.compile("/snapshot.zst")):
         getattr(Cell(page, TIMER).button("Run"), sign)()
 
 
@@ -70,30 +70,30 @@ def test_snapshot_is_kept_for_the_next_page(context: BrowserContext, address: st
     """In place of an earlier version's."""
     page = context.new_page()
     page.goto(address)
-    page.evaluate("async () => (await caches.open('rosspin')).put('snapshot.gz?old', new Response('old'))")
-    asked = _asked(page, "snapshot.gz")
+    page.evaluate("async () => (await caches.open('rosspin')).put('snapshot.zst?old', new Response('old'))")
+    asked = _asked(page, "snapshot.zst")
     assert "counter = 1" in _first_run(page, address)
     assert asked
     _until_kept(page)
     page.close()
     page = context.new_page()
-    asked = _asked(page, "snapshot.gz")
+    asked = _asked(page, "snapshot.zst")
     assert "counter = 1" in _first_run(page, address)
     assert not asked
 
 
 def test_without_a_snapshot_python_starts_plainly(context: BrowserContext, address: str) -> None:
     expected = simulate(EXAMPLES / LISTINGS[TIMER], 2).console
-    context.route("**/snapshot.gz*", lambda route: route.abort())
+    context.route("**/snapshot.zst*", lambda route: route.abort())
     page = context.new_page()
-    whole, snapshots = _asked(page, "python_stdlib.zip"), _asked(page, "snapshot.gz")
+    whole, snapshots = _asked(page, "python_stdlib.zip"), _asked(page, "snapshot.zst")
     assert _first_run(page, address) == expected
     assert whole
     assert _kept(page) == []
     page.close()  # its spare worker may still be starting
-    context.unroute("**/snapshot.gz*")
+    context.unroute("**/snapshot.zst*")
     page = context.new_page()
-    whole, snapshots = _asked(page, "python_stdlib.zip"), _asked(page, "snapshot.gz")
+    whole, snapshots = _asked(page, "python_stdlib.zip"), _asked(page, "snapshot.zst")
     assert _first_run(page, address) == expected
     assert snapshots and not whole
 
@@ -105,13 +105,13 @@ def packed(file: Path) -> int:
 
 
 @pytest.mark.parametrize("node", [EXAMPLES / LISTINGS[TIMER], ROS2[0]], ids=["ros1", "ros2"])
-def test_first_click_loads_at_most_11_mb(context: BrowserContext, address: str, site: Path, node: Path) -> None:
+def test_first_click_loads_at_most_9_mb(context: BrowserContext, address: str, site: Path, node: Path) -> None:
     """Gzipped, as servers send them. ROS 2 is in the snapshot, too."""
     page = context.new_page()
     asked = _asked(page, "")
     assert "counter = 1" in _first_run(page, address, node.read_text(encoding="utf-8"))
     files = {site / urlsplit(url).path.lstrip("/") for url in asked}
-    assert 7_000_000 < sum(map(packed, files)) <= 11_000_000
+    assert 7_000_000 < sum(map(packed, files)) <= 9_140_000
 
 
 def test_our_own_files_are_loaded_when_one_is_read(context: BrowserContext, address: str) -> None:
@@ -129,7 +129,7 @@ def test_node_finds_no_traces_of_the_snapshot(context: BrowserContext, address: 
     """Its environment and its path are as in a plain start; nothing that made the snapshot is left in it."""
     text = "import os, sys\nprint(sorted(os.environ.items()), sys.path, sys.argv)\nprint(sorted(globals()))\n"
     found = _first_run(context.new_page(), address, text)
-    context.route("**/snapshot.gz*", lambda route: route.abort())
+    context.route("**/snapshot.zst*", lambda route: route.abort())
     page = context.new_page()
     page.goto(address + TUTORIAL)
     page.evaluate("caches.delete('rosspin')")

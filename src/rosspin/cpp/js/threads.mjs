@@ -15,11 +15,12 @@ export class Threads {
   constructor(program) {
     this.failed = new Promise((_, reject) => (this.#fail = reject))
     this.failed.catch(() => {}) // whoever runs the program hears of it
-    const turn = (from, to) => {
-      const turned = new Promise((goOn) => this.#goOn.set(from, goOn))
-      this.#go(to)
-      return turned
-    }
+    const turn = (from, to) =>
+      new Promise((goOn) => {
+        const next = this.#goOn.get(to)
+        this.#goOn.set(from, goOn)
+        next()
+      })
     this.imports = {
       thread: (body, thread) => {
         const begin = () => WebAssembly.promising(program.exports.__indirect_function_table.get(body))(thread).catch(this.#fail)
@@ -27,13 +28,7 @@ export class Threads {
         return HAS_JSPI
       },
       turn: HAS_JSPI ? new WebAssembly.Suspending(turn) : turn,
-      leave: (to) => this.#go(to),
+      leave: (to) => this.#goOn.get(to)(),
     }
-  }
-
-  #go(thread) {
-    const goOn = this.#goOn.get(thread)
-    this.#goOn.delete(thread)
-    goOn()
   }
 }

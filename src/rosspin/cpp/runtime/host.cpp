@@ -191,6 +191,15 @@ void wait(std::int64_t until)
     wait_for(&on_event, until);
 }
 
+void wait(const Due& due)
+{
+  for (std::int64_t until; (until = due()) > shared.now;)
+    if (detail::is_alone())
+      detail::go_on(until);
+    else
+      wait_for(&on_event, until, &due);
+}
+
 void stir() { notify(&on_event, true); }
 
 void sleep_until(std::int64_t until)

@@ -320,7 +320,7 @@ struct Logs
 {
   std::map<std::string, int> levels;
   int level = RCUTILS_LOG_SEVERITY_INFO;
-  bool console = true, coloured = false;
+  bool console = true, coloured = false, on_rosout = false;
   std::string form = "[{severity}] [{time}] [{name}]: {message}";
   int stream = 2;
 };
@@ -352,11 +352,10 @@ bool logs(int severity, const char* name)
   return severity >= rcutils_logging_get_logger_effective_level(name);
 }
 
-void log(int severity, const char* name, const Place& place, const std::string& text)
+namespace
 {
-  const Logs& own = rclcpp::logs();
-  if (!own.console)
-    return;
+void print(const Logs& own, int severity, const char* name, const Place& place, const std::string& text)
+{
   std::int64_t now = rosspin::system_now();
   std::map<std::string, std::string> fields = {{"severity", name_of_level(severity)}, {"time", stamp(now)},
       {"name", name}, {"message", text}, {"function_name", place.function}, {"file_name", place.file},
@@ -379,7 +378,24 @@ void log(int severity, const char* name, const Place& place, const std::string& 
            line + "\033[0m";
   rosspin::write(own.stream, line + "\n");
 }
+}  // namespace
+
+void log(int severity, const char* name, const Place& place, const std::string& text)
+{
+  const Logs& own = rclcpp::logs();
+  if (own.console)
+    print(own, severity, name, place, text);
+  if (own.on_rosout)
+    rosspin::tell("log", {severity, name, text, place.file, place.function, place.line});
+}
 }  // namespace detail
+
+Logger Logger::get_child(const std::string& suffix) const
+{
+  if (logs().on_rosout)
+    rosspin::tell("child_logger", {name_, suffix});
+  return Logger(name_ + "." + suffix);
+}
 
 std::filesystem::path get_logging_directory()
 {
@@ -474,6 +490,7 @@ void Context::init(int argc, char const* const* argv, const InitOptions& options
   Logs& own = logs();
   own.level = static_cast<int>(field(answer, "level").whole);
   own.console = field(answer, "console").flag;
+  own.on_rosout = field(answer, "rosout").flag;
   own.coloured = field(answer, "coloured").flag;
   own.form = field(answer, "form").string;
   own.stream = field(answer, "to_stdout").flag ? 1 : 2;
@@ -489,6 +506,7 @@ bool Context::shutdown(const std::string& reason)
     (*callback)();
   valid_ = false;
   reason_ = reason;
+  logs().on_rosout = false;
   rosspin::tell("shutdown", {id_});
   rosspin::stir();
   for (const auto& callback : Callbacks(after_))

@@ -523,8 +523,7 @@ void requestShutdown() { shutdown(); }
 
 void waitForShutdown()
 {
-  while (node().ok)
-    rosspin::wait(rosspin::never);
+  rosspin::wait([] { return node().ok ? rosspin::never : rosspin::detail::time(); });
 }
 
 // --- callbacks (source: callback_queue.cpp) ---
@@ -561,26 +560,32 @@ std::list<CallbackQueue::Entry>::iterator CallbackQueue::first()
   return std::find_if(waiting_.begin(), waiting_.end(), [](const Entry& entry) { return entry.callback->ready(); });
 }
 
-bool CallbackQueue::await(std::int64_t until)
+bool CallbackQueue::await(const rosspin::Due& until)
 {
-  for (;;)
+  rosspin::look();
+  bool found = false;
+  rosspin::wait([&]
   {
-    rosspin::look();
     std::int64_t next = call_due_timers();
-    if (first() != waiting_.end())
-      return true;
-    if (!enabled_ || rosspin::detail::time() >= until || (this == &node().queue && !node().ok))
-      return false;
-    rosspin::wait(std::min(until, next));
-  }
+    found = first() != waiting_.end();
+    if (found || !enabled_ || (this == &node().queue && !node().ok))
+      return rosspin::detail::time();
+    return std::min(until(), next);
+  });
+  return found;
 }
 
 CallbackQueue::CallOneResult CallbackQueue::callOne(WallDuration timeout)
 {
+  return callOne([until = later(rosspin::detail::time(), timeout.toNSec())] { return until; });
+}
+
+CallbackQueue::CallOneResult CallbackQueue::callOne(const rosspin::Due& until)
+{
   rosspin::spins();
   if (!enabled_)
     return Disabled;
-  if (!await(later(rosspin::detail::time(), timeout.toNSec())))
+  if (!await(until))
     return Empty;
   auto found = first();
   Entry entry = *found;
@@ -591,10 +596,15 @@ CallbackQueue::CallOneResult CallbackQueue::callOne(WallDuration timeout)
 
 void CallbackQueue::callAvailable(WallDuration timeout)
 {
+  callAvailable([until = later(rosspin::detail::time(), timeout.toNSec())] { return until; });
+}
+
+void CallbackQueue::callAvailable(const rosspin::Due& until)
+{
   rosspin::spins();
   if (!enabled_)
     return;
-  await(later(rosspin::detail::time(), timeout.toNSec()));
+  await(until);
   std::list<Entry> taken;
   taken.swap(waiting_);
   calling_.push_back(&taken);
@@ -666,13 +676,24 @@ struct Spinning
     if (spun)
       return;
     spun.emplace(queue, false, "AsyncSpinnerImpl: ");
-    auto call = [this, timeout = WallDuration(0.1)]
+    auto call = [this]
     {
       while (spun && handle.ok())
+      {
+        // Each thread looks up every 0.1 s, which shows only in how long it takes to end.
+        auto until = [this, begun = rosspin::detail::time()]
+        {
+          constexpr std::int64_t period = 100'000'000;
+          if (spun && node().ok)
+            return rosspin::never;
+          std::int64_t periods = (rosspin::detail::time() - begun + period - 1) / period;
+          return begun + std::max<std::int64_t>(periods, 1) * period;
+        };
         if (count == 1)
-          queue->callAvailable(timeout);
+          queue->callAvailable(until);
         else
-          queue->callOne(timeout);
+          queue->callOne(until);
+      }
     };
     while (threads.size() < count)
       threads.emplace_back(call);
@@ -681,6 +702,7 @@ struct Spinning
   void stop()
   {
     spun.reset();
+    rosspin::stir();
     for (std::thread& each : threads)
       each.join();
     threads.clear();
@@ -715,9 +737,8 @@ void SingleThreadedSpinner::spin(CallbackQueue* queue)
   Spun spun(queue, true, "SingleThreadedSpinner: ");
   rosspin::spins();
   rosspin::Ticking::leave_loops();
-  while (node().ok)
-    if (queue->await(rosspin::never))
-      queue->callAvailable();
+  while (ok())
+    queue->callAvailable([] { return rosspin::never; });
 }
 
 void spin()

@@ -29,6 +29,7 @@ struct Thread
   char* stack = nullptr;
   Thread* next = nullptr;  // of all
   const void* what = nullptr;  // it waits for
+  const rosspin::Due* due = nullptr;  // what knows when its time is; a change of stacks costs more than to ask it
   const pthread_mutex_t* asked = nullptr;  // which it waits for
   int number = 0;
   std::int64_t until = 0;  // when its time is, in the run's
@@ -76,9 +77,10 @@ Thread* next_thread()
     for (Thread* each = all; each; each = each->next)
       if (each->until < found->until || (each->until == found->until && each->place < found->place))
         found = each;
-    if (found->until <= rosspin::detail::time())
+    if (found->until > rosspin::detail::time())
+      rosspin::detail::go_on(found->until);
+    else if (!found->due || (found->until = (*found->due)()) <= rosspin::detail::time())
       return found;
-    rosspin::detail::go_on(found->until);
   }
 }
 
@@ -169,9 +171,10 @@ void (*look_for_ring)() = nullptr;  // null until a thread was made; known elsew
 bool is_alone() { return !all->next; }
 }  // namespace detail
 
-bool wait_for(const void* what, std::int64_t until)
+bool wait_for(const void* what, std::int64_t until, const Due* due)
 {
   running->what = what;
+  running->due = due;
   running->until = until;
   running->place = ++places;
   running->notified = false;
@@ -187,20 +190,22 @@ bool wait_for(const void* what, std::int64_t until)
     rosspin_handling = handling;
   }
   running->what = nullptr;
+  running->due = nullptr;
   return running->notified;
 }
 
 void notify(const void* what, bool every)
 {
-  for (;;)
+  for (const std::uint64_t last = places;;)
   {
     Thread* found = nullptr;
     for (Thread* each = all; each; each = each->next)
-      if (each->what == what && (!found || each->place < found->place))
+      if (each->what == what && each->place <= last && (!found || each->place < found->place))
         found = each;
     if (!found)
       return;
-    found->what = nullptr;
+    if (!found->due)  // otherwise it may have to wait on
+      found->what = nullptr;
     found->until = detail::time();
     found->place = ++places;
     found->notified = true;

@@ -89,9 +89,10 @@ HINTS_CPP = [
     "It is the period, with its unit: `500ms` is half a second. How long is a period of 10 Hz?",
     "The period is 1 divided by the frequency: 1 s / 10.",
 ]
-HINT = "`create_timer` takes a period in seconds, not a frequency: the period is 1 / frequency."
-
-HINT_CPP = "`create_wall_timer` takes a period with its unit, not a frequency: the period is 1 / frequency."
+HINT = "Ten times a second is once in 1 / 10 s: a timer takes a period, in seconds, and the period is 1 / frequency."
+HINT_CPP = (
+    "Ten times a second is once in 100 ms: a timer takes a period, with its unit, and the period is 1 / frequency."
+)
 
 check = by.run(1.0, by.ticks(0.1), by.from_timers())
 

@@ -75,7 +75,7 @@ HINTS = [
     "The period is 1 / frequency.",
 ]
 HINTS_CPP = HINTS
-HINT = "A timer takes a period in seconds, not a frequency: the period is 1 / frequency."
+HINT = "Ten times a second is once in 1 / 10 s: a timer takes a period, in seconds, and the period is 1 / frequency."
 HINT_CPP = HINT
 
 check = by.run(1.0, by.ticks(0.1))

@@ -32,7 +32,7 @@ public:
   Logger(const Logger&) = default;
   Logger& operator=(const Logger&) = default;
   const char* get_name() const { return name_.c_str(); }
-  Logger get_child(const std::string& suffix) const { return Logger(name_ + "." + suffix); }
+  Logger get_child(const std::string& suffix) const;
   void set_level(Level level) { (void)rcutils_logging_set_logger_level(get_name(), static_cast<int>(level)); }
   Level get_effective_level() const
   {

@@ -151,18 +151,20 @@ public:
   void removeByID(std::uint64_t owner) override;
   CallOneResult callOne() { return callOne(WallDuration()); }
   CallOneResult callOne(WallDuration timeout);
+  CallOneResult callOne(const rosspin::Due& until);
   void callAvailable() { callAvailable(WallDuration()); }
   void callAvailable(WallDuration timeout);
+  void callAvailable(const rosspin::Due& until);
   bool empty();
   bool isEmpty() { return empty(); }
   void clear() { waiting_.clear(); }
   void enable() { enabled_ = true; }
   void disable() { enabled_ = false; }
   bool isEnabled() { return enabled_; }
-  // Wait until a callback is there, until a time (ns), or until the node shuts down.
-  bool await(std::int64_t until);
 
 private:
+  // Wait until a callback is there, until a time (ns), or until the node shuts down.
+  bool await(const rosspin::Due& until);
   struct Entry
   {
     CallbackInterfacePtr callback;

@@ -44,10 +44,13 @@ std::int64_t system_now();
 
 // Let time pass up to `until` (ns), or until something comes for the program before that.
 void wait(std::int64_t until);
+// Let it pass until something is due. What says when (ns) is asked again as things come, and in any thread.
+using Due = std::function<std::int64_t()>;
+void wait(const Due& due);
 // Let it pass up to `until`, whatever comes.
 void sleep_until(std::int64_t until);
 // Let this thread wait until a time (ns), or until someone notifies of `what`; return whether that was.
-bool wait_for(const void* what, std::int64_t until);
+bool wait_for(const void* what, std::int64_t until, const Due* due = nullptr);
 // Wake a thread that waits for it, the one that has waited longest, or `all` of them.
 void notify(const void* what, bool all);
 // Something has changed: whoever waits for what comes looks again.
