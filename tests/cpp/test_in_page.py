@@ -109,6 +109,27 @@ def test_a_node_that_reads_numbers_has_what_reads_them(tmp_path: Path) -> None:
     assert len(lean(program, "")) < len(lean(program, READS)) - 10_000
 
 
+EAR = """\
+#include "rcl_interfaces/msg/log.hpp"
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("ear");
+  auto ear = node->create_subscription<rcl_interfaces::msg::Log>("/rosout", 10, [](const rcl_interfaces::msg::Log&) {});
+  rclcpp::spin(node);
+}
+"""
+
+
+def test_a_node_that_runs_alone_is_told_that_it_hears_no_logs(tmp_path: Path) -> None:
+    file = tmp_path / "ear.cpp"
+    file.write_text(EAR, encoding="utf-8")
+    ((console, result),) = in_page(file, [(1.0, "")], tmp_path)
+    assert console == "in a page, /rosout for a node that runs alone is not simulated; run this node on a real ROS\n"
+    assert result["status"] == 1
+
+
 def test_a_browser_without_jspi_says_that_it_has_no_threads(tmp_path: Path) -> None:
     file = EXAMPLES / "topics/slow_cpp_node.cpp"
     ((console, result),) = in_page(file, [(2.0, "")], tmp_path, node_command()[:1])

@@ -49,13 +49,15 @@ const SNAPSHOT = "snapshot.zst"
 /** The snapshot, unpacked: from what the browser keeps if it is there and right, else from the site, to be kept. */
 export async function loadSnapshot() {
   const unpacker = new Worker(address("unpack.js"))
+  /** @type {Promise<ArrayBuffer>} */
+  const unpacked = new Promise((resolve, reject) => {
+    unpacker.onmessage = ({ data }) => resolve(data)
+    unpacker.onerror = () => reject(new Error(`${SNAPSHOT} could not be unpacked`))
+  })
+  const sending = packedSnapshot().then((bytes) => unpacker.postMessage(bytes))
   try {
-    const bytes = await packedSnapshot()
-    return await new Promise((/** @type {(bytes: ArrayBuffer) => void} */ resolve, reject) => {
-      unpacker.onmessage = ({ data }) => resolve(data)
-      unpacker.onerror = () => reject(new Error(`${SNAPSHOT} could not be unpacked`))
-      unpacker.postMessage(bytes)
-    })
+    const [bytes] = await Promise.all([unpacked, sending])
+    return bytes
   } finally {
     unpacker.terminate()
   }

@@ -98,6 +98,14 @@ def test_without_a_snapshot_python_starts_plainly(context: BrowserContext, addre
     assert snapshots and not whole
 
 
+def test_without_what_unpacks_a_snapshot_python_starts_plainly(context: BrowserContext, address: str) -> None:
+    context.route("**/unpack.js*", lambda route: route.abort())
+    page = context.new_page()
+    whole = _asked(page, "python_stdlib.zip")
+    assert _first_run(page, address) == simulate(EXAMPLES / LISTINGS[TIMER], 2).console
+    assert whole
+
+
 @cache
 def packed(file: Path) -> int:
     """The size of a file as it is sent."""

@@ -44,7 +44,7 @@ export class Ros2 {
       },
       subscription: (node, topic, kind, qos, events) => {
         const end = { ...this.#end(node, topic, kind, qos, events), isPublisher: false }
-        if (end.name === "/rosout") this.#host.refuse("in a page, /rosout with one node")
+        if (end.name === "/rosout") this.#host.refuse("in a page, /rosout for a node that runs alone")
         const id = (end.id = add(this.#subscriptions, end))
         for (const each of this.#publishers) {
           this.#join(each, end)
