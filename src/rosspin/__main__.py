@@ -100,8 +100,7 @@ def _parser() -> argparse.ArgumentParser:
         "files",
         metavar="FILE",
         nargs="+",
-        help="a Python node or a launch file; with --simulated or --ros1 also a C++ node of ROS 1; with --simulated "
-        "several nodes",
+        help="a node in Python or C++ (with --ros2, in Python), or a launch file; with --simulated, several nodes",
     )
     run.add_argument("--seconds", type=float, metavar="S", help="press Ctrl-C after S seconds")
     where = run.add_mutually_exclusive_group()

@@ -12,6 +12,7 @@ import pytest
 from benchmarks.rclcpp_nodes import read_ticks
 from rosspin import Node, NotSimulated, simulate
 from rosspin.results.recordings import load
+from rosspin.run.explain import say_error
 from tests.helpers.cpp_in_page import scenarios_are_like
 from tests.helpers.cpp_probes import differences
 from tests.helpers.cpp_scenarios import FOLDER, SECONDS, compared, recorded
@@ -99,6 +100,49 @@ def test_other_nodes_hear_what_it_logs(write: Write) -> None:
     ]
     run = simulate([Node(str(nodes[0]), ["--ros-args", "--disable-rosout-logs"]), str(nodes[1])], 0.6)
     assert not [line for line in run.console.splitlines() if line.startswith("talker")]
+
+
+AS_WITH_GCC = """\
+#include <fstream>
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("node");
+  std::int64_t three = 3, four = 4;
+  std::uint8_t small = 200;
+  std::int16_t below = -5;
+  char text[40];
+  std::printf("%ld + %ld = %ld of %s, %p\\n", three, four, three + four, "ten", nullptr);
+  std::snprintf(text, 12, "%6.2f|%-4s|%03d", 3.14159, "ab", 7);
+  std::printf("%s %d\\n", text, snprintf(nullptr, 0, "%lu", 12345ul));
+  RCLCPP_INFO(node->get_logger(), "%d %d %02x", small, below, small);
+  std::cout << rand() << " " << std::rand() << " " << random();
+  srand(42);
+  std::cout << " " << rand() % 100 << std::endl;
+  errno = 0;
+  std::ofstream file("log.csv");
+  std::ifstream other("other.csv");
+  std::cout << file.is_open() << other.is_open() << " " << std::strerror(errno) << std::endl;
+  std::chrono::time_point<std::chrono::system_clock> begun = std::chrono::high_resolution_clock::now();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  std::cout << (std::chrono::system_clock::now() - begun).count() << std::endl;
+}
+"""
+
+
+def test_the_library_does_what_that_of_gcc_does_on_a_computer(write: Write) -> None:
+    """What it printed there, but for the files."""
+    run = simulate(write(AS_WITH_GCC, "node.cpp"), 2.0)
+    assert run.console.splitlines() == [
+        "3 + 4 = 7 of ten, (nil)",
+        "  3.14|ab   5",
+        "[INFO] [0.000000000] [node]: 200 -5 c8",
+        "1804289383 846930886 1681692777 66",
+        "rosspin: files are not simulated, so this one was not opened: log.csv",
+        "00 No such file or directory",
+        "1500000000",
+    ]
 
 
 HOLDS = """\
@@ -371,6 +415,22 @@ def test_what_has_no_stand_in_is_named(write: Write, include: str, body: str, na
     with pytest.raises(NotSimulated) as raised:
         simulate(write(main(body, include), "node.cpp"), 1.0)
     assert str(raised.value) == f"{name} is not simulated; run this node on a real ROS"
+
+
+@pytest.mark.parametrize(
+    ("include", "body", "line", "name"),
+    [
+        ("<termios.h>", "", ":2", "termios.h"),
+        ("<unistd.h>", "fork();", ":6", "fork"),
+        ("<cstdlib>", 'system("clear");', "", "system"),
+    ],
+)
+def test_what_has_no_stand_in_has_its_place(write: Write, include: str, body: str, line: str, name: str) -> None:
+    """As far as the compiler knows it."""
+    file = write(main(body, include), "node.cpp")
+    with pytest.raises(NotSimulated) as raised:
+        simulate(file, 1.0)
+    assert say_error(raised.value) == f"{file}{line}: {name} is not simulated; run this node on a real ROS"
 
 
 def test_a_throttled_line_comes_again_after_its_period(write: Write) -> None:

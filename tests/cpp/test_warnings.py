@@ -106,9 +106,12 @@ a.cpp:1:2: warning: format specifies type 'long' but the argument has type 'int6
     1 | text
 a.cpp:2:2: warning: unused variable 'text' [-Wunused-variable]
 a.cpp:3:2: warning: format specifies type 'int' but the argument has type 'long long' [-Wformat]
-3 warnings generated.
+a.cpp:4:2: warning: format specifies type 'int' but the argument has type 'uint8_t' (aka 'unsigned char') [-Wformat]
+4 warnings generated.
 """
     assert shown(said) == "".join(said.splitlines(keepends=True)[3:4])
+    of_linker = "wasm-ld: error: 0.o: undefined symbol: system\n"
+    assert shown(said + of_linker) == "".join([said.splitlines(keepends=True)[3], of_linker])
 
 
 SCENARIOS = sorted(FOLDER.glob("*.cpp"))

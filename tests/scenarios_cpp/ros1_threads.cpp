@@ -734,6 +734,21 @@ Scenarios scenarios()
     spinner.stop();
     say("has stopped again");
   };
+  all["spinner_of_a_queue_of_its_own"] = [](NodeHandle& nh)
+  {
+    ros::CallbackQueue queue;
+    NodeHandle own(nh);
+    own.setCallbackQueue(&queue);
+    ros::Timer timer = own.createTimer(Duration(1.3), [](const TimerEvent&) { say("timer"); });
+    std::thread thread([&]
+        {
+          ros::SingleThreadedSpinner spinner;
+          spinner.spin(&queue);
+          std::puts("ends");
+        });
+    ros::spin();
+    thread.join();
+  };
   all["multi_threaded_spinner_of_two"] = [](NodeHandle& nh)
   {
     Slow slow(nh, 0.4, 0.9, 0.8);

@@ -18,6 +18,7 @@ export function shown(said) {
     const [, , , , kind, what, group] = line.trimEnd().match(SAID) ?? []
     if (kind === "error" || kind === "warning") whole = kind === "error" || (RULES.cpp.warnings.includes(group) && !new RegExp(RULES.cpp.lengths).test(what))
     if (kind) part = whole && !(kind === "note" && new RegExp(RULES.cpp.notes).test(what))
+    else if (new RegExp(`^(${RULES.cpp.ofNoPlace})`).test(line)) whole = part = true
     return part
   }).join("")
 }

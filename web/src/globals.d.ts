@@ -13,7 +13,10 @@ declare const EXERCISES: Record<string, { number: number; title: string }>
 declare const RULES: {
   numbered: string[]
   handIns: { file: number; answer: number; name: number; time: number; said: number; entries: number }
-  cpp: { advice: [pattern: string, meaning: string][]; warnings: string[]; lengths: string; notes: string; includes: string }
+  cpp: { advice: [pattern: string, meaning: string][]; warnings: string[]; includes: string } & Record<
+    "lengths" | "notes" | "ofNoPlace",
+    string
+  >
   timeline: {
     colours: string[]
     title: string

@@ -25,7 +25,7 @@ from ..messages.library import Library
 from ..programs.cmake import companions
 from ..world.world import NotSimulated
 from . import headers
-from .faults import WARNINGS, advice, shown
+from .faults import WARNINGS, advice, first, shown
 
 __all__ = ["Built", "CompileError", "build", "build_together", "compiler", "node_command"]
 
@@ -140,7 +140,7 @@ def build(
                 made = _made(plan.ros, waiting)
                 said, status = ("", 0) if plan.program.exists() else _compile(plan.steps(made), waiting)
             if status:
-                raise _explained(plan.told(said))
+                raise _explained(plan.told(said), str(path))
         warnings = plan.told(_text(plan.warnings)) if plan.warnings.exists() else ""
     return Built(plan.program, plan.ros, "\n".join(filter(None, (warnings.strip(), advice(warnings)))))
 
@@ -251,17 +251,28 @@ def _text(path: Path) -> str:
     return path.read_text(encoding="utf-8", errors="surrogateescape")
 
 
-def _explained(said: str) -> Exception:
-    """Turn what the compiler has said into the error that it is."""
+def _explained(said: str, file: str) -> Exception:
+    """Turn what the compiler has said of a file into the error that it is."""
+    if not (name := _lacking(said)):
+        return CompileError(said.strip())
+    error = NotSimulated(name)
+    line = first(said, file)[0]
+    error.place = f"{file}:{line}" if line else file
+    return error
+
+
+def _lacking(said: str) -> str:
+    """Return what has no stand-in, if that is the error; otherwise nothing."""
     if match := _UNAVAILABLE.search(said):
-        return NotSimulated(match[1])
+        return match[1]
     if (match := _MISSING.search(said)) and _SYSTEM.fullmatch(match[1]):
-        return NotSimulated(match[1])
+        return match[1]
     if match := _HEADER_OF_SYSTEM.search(said):
-        return NotSimulated(match[1])
-    if (first := _ERROR.search(said)) and (match := _OF_SYSTEM.search(first[1])):
-        return NotSimulated(next(filter(None, match.groups())))
-    return CompileError(said.strip())
+        return match[1]
+    if (error := _ERROR.search(said)) and (match := _OF_SYSTEM.search(error[1])):
+        found: str = next(filter(None, match.groups()))
+        return found
+    return ""
 
 
 class Part(NamedTuple):

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["ADVICE", "LENGTHS", "NOTES", "WARNINGS", "advice", "first", "shown"]
+__all__ = ["ADVICE", "LENGTHS", "NOTES", "OF_NO_PLACE", "WARNINGS", "advice", "first", "shown"]
 
 ADVICE = (
     (
@@ -117,8 +117,14 @@ WARNINGS = (
 LENGTHS = (
     r"specifies type (?:'\w+' \(aka )?'(?:unsigned )?long(?: long)?'\)? but the argument has (?:underlying )?type "
     r"(?:'[^']*' \(aka )?'(?:unsigned )?long(?: long)?'"
+    r"|specifies type '(?:unsigned )?int' but the argument has (?:underlying )?type "
+    r"(?:'[^']*' \(aka )?'(?:bool|(?:(?:un)?signed )?char|(?:unsigned )?short)'"
 )
-"""A warning that is not shown: int64_t is a long on a computer, and a long long here."""
+"""A warning that is not shown: int64_t is a long on a computer, and a long long here. What is shorter than an int is
+passed as one."""
+
+OF_NO_PLACE = r"\S+: error: "
+"""An error of no place in a text, as the linker has them."""
 
 NOTES = "expanded from macro|to silence this warning"
 """A note that is not shown."""
@@ -164,6 +170,8 @@ def shown(said: str) -> str:
             if match[4] != "note":
                 whole = match[4] == "error" or (match[6] in WARNINGS and not re.search(LENGTHS, match[5]))
             part = whole and not (match[4] == "note" and re.search(NOTES, match[5]))
+        elif re.match(OF_NO_PLACE, line):
+            whole = part = True
         if part:
             lines.append(line)
     return "".join(lines)

@@ -31,8 +31,8 @@ _FILTERS = (
 
 # The folders of the stand-in for each ROS, and what is made for it.
 _FOLDERS = {
-    1: ("rosspin", "bits", "boost", "ros"),
-    2: ("rosspin", "bits", "rcl", "rclcpp", "rclcpp_components", "rcutils", "rmw"),
+    1: ("rosspin", "__chrono", "bits", "boost", "ros"),
+    2: ("rosspin", "__chrono", "bits", "rcl", "rclcpp", "rclcpp_components", "rcutils", "rmw"),
 }
 _MADE = {1: ("ros/console_macros.h", ros1_macros), 2: ("rclcpp/logging_macros.hpp", ros2_macros)}
 

@@ -132,7 +132,9 @@ class Running:
         if "asks" in batch:
             what, values = unpacked(batch["asks"])
             if what == "not_simulated":
-                raise NotSimulated(*values)
+                error = NotSimulated(*values)
+                error.place = self._program.path
+                raise error
             return self._reply(packed(self._ros.answer(what, values)))
         if "wake" in batch:
             self._wait(int(batch["wake"]))

@@ -152,6 +152,8 @@ def say_error(error: Exception) -> str:
         return "".join(traceback.format_exception_only(error)).strip()
     if isinstance(error, OSError) and error.filename:
         return f"{error.filename}: {error.strerror}"
+    if isinstance(error, NotSimulated) and error.place:
+        return f"{error.place}: {error}"
     if isinstance(error, NotSimulated):
         trace = node_frames((error.__cause__ or error).__traceback__)
         lines = [each for each in traceback.walk_tb(trace) if not each[0].f_code.co_filename.startswith("<frozen")]

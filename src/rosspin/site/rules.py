@@ -9,7 +9,7 @@ import json
 from typing import Any
 
 from .. import hand_ins
-from ..cpp.faults import ADVICE, LENGTHS, NOTES, WARNINGS
+from ..cpp.faults import ADVICE, LENGTHS, NOTES, OF_NO_PLACE, WARNINGS
 from ..exercises import EXERCISES
 from ..hand_ins.archives import ON_PAGE
 from ..hand_ins.files import NUMBERED
@@ -31,7 +31,13 @@ def defined() -> dict[str, Any]:
             },
             "timeline": layout.constants(),
             "cpp": {
-                **{"advice": ADVICE, "warnings": WARNINGS, "lengths": LENGTHS, "notes": NOTES},
+                **{
+                    "advice": ADVICE,
+                    "warnings": WARNINGS,
+                    "lengths": LENGTHS,
+                    "notes": NOTES,
+                    "ofNoPlace": OF_NO_PLACE,
+                },
                 "includes": INCLUDES.pattern,
             },
         },

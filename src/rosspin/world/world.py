@@ -32,7 +32,12 @@ Part = TypeVar("Part")
 
 
 class NotSimulated(NotImplementedError):
-    """The node needs something that only a real ROS has, or only the place that ``where`` names."""
+    """The node needs something that only a real ROS has, or only the place that ``where`` names.
+
+    ``place`` is that in a node in C++ which needs it, FILE or FILE:LINE; of one in Python, the traceback says it.
+    """
+
+    place = ""
 
     def __init__(self, name: str, where: str = "a real ROS") -> None:
         super().__init__(f"{name} is not simulated; run this node on {where}")

@@ -414,7 +414,10 @@ std::string formatted(const char* format, std::initializer_list<Argument> argume
     }
     else if (*at == 'p')
     {
-      std::snprintf(buffer, sizeof buffer, (form + "p").c_str(), argument.address);
+      if (argument.address)
+        std::snprintf(buffer, sizeof buffer, (form + "p").c_str(), argument.address);
+      else
+        std::snprintf(buffer, sizeof buffer, (form + "s").c_str(), "(nil)");
     }
     else if (*at == 'c')
     {
@@ -439,6 +442,41 @@ void write(int stream, const std::string& text)
   std::fflush(stream == 1 ? stdout : stderr);  // what the node has printed comes first
   ::write(stream, text.data(), text.size());
 }
+
+namespace
+{
+// The numbers of glibc's rand(), from its seed (source: stdlib/random_r.c, TYPE_3).
+struct Random
+{
+  std::uint32_t state[31];
+  int front, rear;
+  explicit Random(std::uint32_t seed) : front(3), rear(0)
+  {
+    constexpr std::int64_t prime = 2147483647;
+    auto word = static_cast<std::int32_t>(seed ? seed : 1);
+    for (std::uint32_t& each : state)
+    {
+      each = static_cast<std::uint32_t>(word);
+      word = static_cast<std::int32_t>((16807 * static_cast<std::int64_t>(word) % prime + prime) % prime);
+    }
+    for (int each = 0; each < 310; each++)
+      next();
+  }
+  int next()
+  {
+    std::uint32_t sum = state[front] += state[rear];
+    front = (front + 1) % 31;
+    rear = (rear + 1) % 31;
+    return static_cast<int>(sum >> 1);
+  }
+};
+
+Random& random_numbers()
+{
+  static Random one(1);
+  return one;
+}
+}  // namespace
 
 void not_simulated(const std::string& what)
 {
@@ -545,5 +583,21 @@ __attribute__((export_name("rosspin_event"))) void rosspin_event(char* text, std
   if (rosspin::on_event)
     rosspin::on_event(what, when, values);
   rosspin::stir();
+}
+
+int rand() { return rosspin::random_numbers().next(); }
+
+void srand(unsigned seed) { rosspin::random_numbers() = rosspin::Random(seed); }
+
+long random() { return rand(); }
+
+void srandom(unsigned seed) { srand(seed); }
+
+std::FILE* fopen(const char* name, const char*)
+{
+  if (static bool told = false; !std::exchange(told, true))
+    rosspin::write(2, std::string("rosspin: files are not simulated, so this one was not opened: ") + name + "\n");
+  errno = ENOENT;
+  return nullptr;
 }
 }

@@ -660,6 +660,22 @@ private:
 };
 }  // namespace
 
+namespace
+{
+// Until when whoever spins waits, from now. It looks up every 0.1 s, which shows only in how long it takes to end.
+rosspin::Due until_look(const std::optional<Spun>& spun)
+{
+  return [&spun, begun = rosspin::detail::time()]
+  {
+    constexpr std::int64_t period = 100'000'000;
+    if (spun && node().ok)
+      return rosspin::never;
+    std::int64_t periods = (rosspin::detail::time() - begun + period - 1) / period;
+    return begun + std::max<std::int64_t>(periods, 1) * period;
+  };
+}
+}  // namespace
+
 namespace detail
 {
 struct Spinning
@@ -679,21 +695,10 @@ struct Spinning
     auto call = [this]
     {
       while (spun && handle.ok())
-      {
-        // Each thread looks up every 0.1 s, which shows only in how long it takes to end.
-        auto until = [this, begun = rosspin::detail::time()]
-        {
-          constexpr std::int64_t period = 100'000'000;
-          if (spun && node().ok)
-            return rosspin::never;
-          std::int64_t periods = (rosspin::detail::time() - begun + period - 1) / period;
-          return begun + std::max<std::int64_t>(periods, 1) * period;
-        };
         if (count == 1)
-          queue->callAvailable(until);
+          queue->callAvailable(until_look(spun));
         else
-          queue->callOne(until);
-      }
+          queue->callOne(until_look(spun));
     };
     while (threads.size() < count)
       threads.emplace_back(call);
@@ -734,11 +739,11 @@ void SingleThreadedSpinner::spin(CallbackQueue* queue)
 {
   if (!queue)
     queue = getGlobalCallbackQueue();
-  Spun spun(queue, true, "SingleThreadedSpinner: ");
+  std::optional<Spun> spun(std::in_place, queue, true, "SingleThreadedSpinner: ");
   rosspin::spins();
   rosspin::Ticking::leave_loops();
   while (ok())
-    queue->callAvailable([] { return rosspin::never; });
+    queue->callAvailable(until_look(spun));
 }
 
 void spin()

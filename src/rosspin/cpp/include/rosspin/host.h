@@ -2,6 +2,7 @@
 #ifndef ROSSPIN_HOST_H
 #define ROSSPIN_HOST_H
 
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -21,6 +22,11 @@ struct RosspinTick
   std::int32_t source, number;
   std::int64_t expected, real, duration;  // -1 while it lasts
 };
+
+// The C library is compiled without threads, so it has one errno for all.
+extern "C" int rosspin_errno __asm__("errno");
+#undef errno
+#define errno rosspin_errno
 
 extern "C"
 {

@@ -33,6 +33,8 @@
 #include <vector>
 #include <unistd.h>
 
+#include "rosspin/printf.h"
+
 // What glibc has, too.
 extern "C" [[noreturn]] void pthread_exit(void* value);
 typedef unsigned int uint;
