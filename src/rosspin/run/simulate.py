@@ -169,7 +169,9 @@ def several(
     if callable(node) or isinstance(node, (str, bytes, os.PathLike)) or not isinstance(node, Iterable):
         return None
     if args:
-        raise ValueError("give each of several nodes its own command line: rosspin.Node(node, args)")
+        raise ValueError(
+            "give each of several nodes its own command line: in Python, rosspin.Node(node, args), or in a launch file"
+        )
     return launch.Launch([each if isinstance(each, launch.Node) else launch.Node(each) for each in node])
 
 
