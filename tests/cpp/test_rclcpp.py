@@ -145,6 +145,21 @@ def test_the_library_does_what_that_of_gcc_does_on_a_computer(write: Write) -> N
     ]
 
 
+OTHERWISE = """\
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char** argv)
+{
+  rclcpp::init(argc, argv);
+  std::cout << sizeof(long) << sizeof(std::size_t) << " " << std::default_random_engine()() << std::endl;
+}
+"""
+
+
+def test_what_is_said_to_be_otherwise_than_with_gcc_is(write: Write) -> None:
+    """There it is 88 16807."""
+    assert simulate(write(OTHERWISE, "node.cpp"), 1.0).console == "44 48271\n"
+
+
 HOLDS = """\
 #include "rclcpp/rclcpp.hpp"
 int main(int argc, char** argv)

@@ -100,6 +100,12 @@ test("warnings are shown of those groups that speak of faults, without a long of
   assert.match(advice(said), /%d for an int/)
 })
 
+test("an error of the linker is shown, whatever is not", () => {
+  const hidden = "a.cpp:2:2: warning: unused variable 'text' [-Wunused-variable]\n    2 | text\n"
+  const error = "wasm-ld: error: 0.o: undefined symbol: system\n"
+  assert.equal(shown(hidden + error), error)
+})
+
 test("an error is explained before a warning", () => {
   const error = "a.cpp:12:4: error: expected ';' after expression\n"
   const said = shown(`${WARNED}${error}3 warnings and 1 error generated.\n`)

@@ -255,10 +255,8 @@ def _explained(said: str, file: str) -> Exception:
     """Turn what the compiler has said of a file into the error that it is."""
     if not (name := _lacking(said)):
         return CompileError(said.strip())
-    error = NotSimulated(name)
     line = first(said, file)[0]
-    error.place = f"{file}:{line}" if line else file
-    return error
+    return NotSimulated(name, place=f"{file}:{line}" if line else file)
 
 
 def _lacking(said: str) -> str:

@@ -132,9 +132,7 @@ class Running:
         if "asks" in batch:
             what, values = unpacked(batch["asks"])
             if what == "not_simulated":
-                error = NotSimulated(*values)
-                error.place = self._program.path
-                raise error
+                raise NotSimulated(values[0], place=self._program.path)
             return self._reply(packed(self._ros.answer(what, values)))
         if "wake" in batch:
             self._wait(int(batch["wake"]))

@@ -34,15 +34,14 @@ Part = TypeVar("Part")
 class NotSimulated(NotImplementedError):
     """The node needs something that only a real ROS has, or only the place that ``where`` names.
 
-    ``place`` is that in a node in C++ which needs it, FILE or FILE:LINE; of one in Python, the traceback says it.
+    ``place`` is FILE or FILE:LINE of a node in C++; for a node in Python, the traceback says it.
     """
 
-    place = ""
-
-    def __init__(self, name: str, where: str = "a real ROS") -> None:
+    def __init__(self, name: str, where: str = "a real ROS", place: str = "") -> None:
         super().__init__(f"{name} is not simulated; run this node on {where}")
         self.name = name
         self.where = where
+        self.place = place
 
     def __reduce__(self) -> tuple[Any, ...]:
         return NotSimulated, (self.name, self.where), self.__dict__

@@ -658,10 +658,7 @@ public:
 private:
   CallbackQueue* queue_;
 };
-}  // namespace
 
-namespace
-{
 // Until when whoever spins waits, from now. It looks up every 0.1 s, which shows only in how long it takes to end.
 rosspin::Due until_look(const std::optional<Spun>& spun)
 {

@@ -17,8 +17,7 @@ __attribute__((format(printf, 2, 3))) int fprintf(std::FILE* stream, const char*
 template<class... Values>
 __attribute__((format(printf, 1, 2))) int printf(const char* format, Values... values)
 {
-  std::string text = rosspin::formatted(format, {rosspin::Argument(values)...});
-  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? static_cast<int>(text.size()) : -1;
+  return fprintf(stdout, format, values...);
 }
 
 template<class... Values>
