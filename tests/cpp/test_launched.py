@@ -116,6 +116,20 @@ def test_sources_that_belong_together_are_linked(package: Path) -> None:
     assert re.sub(r"\[0\.\d*\] ", "", run.console) == "[INFO] [talker]: words 5\n"
 
 
+@pytest.mark.parametrize(("file", "line"), [("src/numbers.cpp", 2), ("include/pkg/words.hpp", 3)])
+def test_a_fault_names_the_file_that_it_is_in(package: Path, file: str, line: int) -> None:
+    """A header by the name that it is included with."""
+    (package / "include/pkg/words.hpp").write_text(
+        "#pragma once\nconst char* words();\ninline int in_header(int* none) { return *none; }\nint number();\n"
+    )
+    call = "in_header(nullptr)" if "words" in file else "*static_cast<int*>(nullptr)"
+    (package / "src/numbers.cpp").write_text(f'#include "pkg/words.hpp"\nint number() {{ return {call}; }}\n')
+    run = simulate(package / "src" / "talker.cpp", 1.0)
+    name = file.removeprefix("include/").removeprefix("src/")
+    assert f"rosspin: {name}:{line}: it has used a null pointer\n" in run.console
+    assert run.status == 139
+
+
 def test_programs_and_components_are_launched_by_their_names(package: Path) -> None:
     console = simulate(package / "a.launch.py", 1.0).console
     assert "[talker]: words 5\n" in console

@@ -296,7 +296,13 @@ def test_a_fault_delays_a_call(write: Write) -> None:
 @pytest.mark.parametrize(
     ("body", "status", "said"),
     [
-        ("int* none = nullptr; *none = argc;", 139, "it has used a null pointer"),
+        ("int* none = nullptr; *none = argc;", 139, "node.cpp:4: it has used a null pointer\n"),
+        ("return *std::shared_ptr<int>();", 139, "node.cpp:4: it has used a null pointer\n"),
+        ("return std::vector<int>().front();", 139, "node.cpp:4: it has used a null pointer\n"),
+        ("ros::Timer* none = nullptr;\n  none->stop();", 139, "node.cpp:5: it has used a null pointer\n"),
+        ("auto& none = *std::unique_ptr<ros::Timer>();", 139, "node.cpp:4: it has used a null pointer\n"),
+        ("return 7 / (argc - 1);", 136, "node.cpp:4: it has divided by zero\n"),
+        ("return 7 % (argc - 1);", 136, "node.cpp:4: it has divided by zero\n"),
         ("throw 5;", 134, "terminate called after throwing an instance of 'int'"),
         ("std::vector<int> few(1); few.at(argc);", 134, "instance of 'std::out_of_range'"),
         ("return 7;", 7, ""),
@@ -563,13 +569,36 @@ def test_a_loop_that_only_names_ros_ok_does_not_end(write: Write) -> None:
     assert "MainThread" not in run.console
 
 
+LOOP = """\
+#include "ros/ros.h"
+#include <thread>
+void hang(int seconds)
+{
+  ros::Duration(seconds).sleep();
+  LOOP
+}
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "node");
+  ros::NodeHandle node;
+  CALL
+}
+"""
+
+
+@pytest.mark.parametrize("call", ["hang(argc);", "std::thread(hang, argc).join();"])
 @pytest.mark.parametrize("loop", ["for (volatile int i = 0;; i++) {}", "bool done = false;\n  while (!done) {}"])
-def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.MonkeyPatch, loop: str) -> None:
+def test_a_loop_without_an_end_ends_the_run(
+    write: Write, monkeypatch: pytest.MonkeyPatch, loop: str, call: str
+) -> None:
     """Even one that does nothing, which C++ lets a compiler leave out."""
     monkeypatch.setattr("rosspin.cpp.nodejs._MOST", 0.5)
-    node = write(f'#include "ros/ros.h"\nint main()\n{{\n  {loop}\n}}\n', "node.cpp")
-    with pytest.raises(TimeStandsStill, match=r"node\.cpp: simulated time stands still at 0\.0 s, because the node"):
-        simulate(node, 1.0)
+    node = write(LOOP.replace("LOOP", loop).replace("CALL", call), "node.cpp")
+    said = (
+        r"node\.cpp: simulated time stands still at 1\.0 s, because the .* running without sleeping, in hang\(int\)\."
+    )
+    with pytest.raises(TimeStandsStill, match=said):
+        simulate(node, 2.0)
 
 
 IMPORTS = """\

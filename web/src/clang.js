@@ -41,7 +41,7 @@ async function compile({ text, filename }) {
   const [compiler, given] = await Promise.all([starting, kept])
   const name = `node/0/${filename}`
   const { compile, link } = JSON.parse(new TextDecoder().decode(given["request.json"]))
-  const words = compile.map((/** @type {string} */ word) => (word === "NODE" ? name : word))
+  const words = compile.map((/** @type {string} */ word) => (word === "node/0/NODE" ? name : word))
   const compiled = compiler.run(words, { ...given, [name]: new TextEncoder().encode(text) }, ["made"])
   const said = compiled.said.replaceAll("node/0/", "")
   if (compiled.status) return { said, program: "" }

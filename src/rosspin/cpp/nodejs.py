@@ -28,7 +28,8 @@ _RUN = Path(__file__).parent / "js" / "run.mjs"
 
 _CHUNK = 1 << 16  # bytes that are read at once
 
-# How often (s) a node is looked at while it computes, and after how much time of a processor (s) it will not end.
+# How often (s) a node is looked at while it computes, and after how much time of a processor (s) it will not end: then
+# it says where it is (js/watch.mjs). After twice that time, it is ended without a word.
 _LOOK = 0.2
 _MOST = 10.0
 
@@ -56,7 +57,7 @@ class _Child:
         self._path = path
         self._world = world
         self._clock = clock
-        self._first: Mapping[str, Any] = {"program": str(built.program)}  # what is told with the first message
+        self._first: Mapping[str, Any] = {"program": str(built.program), "most": _MOST}  # with the first message
         self._data = bytearray()  # that was read, and not used yet
         self._child = _begin()
 
@@ -68,12 +69,14 @@ class _Child:
             pass  # what it has to say of its end is still to be read
         self._first = {}
         batch: Batch = {}
-        while batch.keys().isdisjoint(("asks", "wake", "status")):
+        while batch.keys().isdisjoint(("asks", "wake", "status", "stuck")):
             batch = json.loads(self._read(lambda data: data.find(b"\n", max(len(data) - _CHUNK, 0)) + 1))
             if "ticks" in batch:
                 length = batch["ticks"]
                 batch["ticks"] = self._read(lambda data: length)
             yield batch
+        if "stuck" in batch:
+            self._stand_still(batch["stuck"])
 
     def end(self, by_itself: bool) -> None:
         if by_itself:
@@ -100,12 +103,15 @@ class _Child:
                 self._clock.give_up_if_overdue()
             elif used is None:
                 used = self._used()
-            elif self._used() - used > _MOST:
-                self._child.send_signal(signal.SIGKILL)
-                self._clock.stand_still(Place(self._path, 0))
+            elif self._used() - used > 2 * _MOST:
+                self._stand_still("")
         taken = bytes(self._data[:end])
         del self._data[:end]
         return taken
+
+    def _stand_still(self, function: str) -> None:
+        self._child.send_signal(signal.SIGKILL)
+        self._clock.stand_still(Place(self._path, 0, function=function))
 
     def _used(self) -> float:
         """For how long (s) the node has had a processor."""

@@ -6,7 +6,6 @@ rclpy's stand-in: both find each other on one graph by the same rules, and read 
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Callable
 from importlib import import_module
@@ -176,7 +175,7 @@ class Ros2:
         """Publish a message on /rosout, if its logger belongs to a node."""
         publish = (logging.logs().rosout or {}).get(name)
         if publish:
-            publish(level, name, text, line, own_topics.Code(re.sub(r"^node/\d+/", "", file), function))
+            publish(level, name, text, line, own_topics.Code(file, function))
 
     # --- topics and services ---
 

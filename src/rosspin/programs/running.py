@@ -31,8 +31,6 @@ _LASTS = b"\xff" * 8  # the duration of one that has not ended
 
 _OTHERS = {"node": "node", "group": "callback group"}  # what can be lost besides timers and subscriptions
 
-_SEGMENTATION_FAULT = 128 + 11
-
 Batch = dict[str, Any]
 
 
@@ -124,7 +122,7 @@ class Running:
         if "ticks" in batch:
             self._note_ticks(batch["ticks"])
         if "trap" in batch:
-            self._trapped(batch["trap"], batch["where"])
+            self._trapped(**batch["trap"])
         if "status" in batch:
             self._has_ended = True
             self._world.waiting = batch["waiting"]
@@ -241,11 +239,10 @@ class Running:
                 self._open[first + at // _TICK] = place + at // _TICK
             at = data.find(_LASTS, at + 1)
 
-    def _trapped(self, trap: str, where: list[str]) -> None:
-        """Say what has ended the node from outside, as on a computer: a fault of its memory."""
-        place = next((name for name in where if name), "")
-        sys.stderr.write(f"rosspin: {self._program.path}: {trap}{f', in {place}' if place else ''}\n")
-        raise SystemExit(_SEGMENTATION_FAULT)
+    def _trapped(self, why: str, signal: int, file: str, line: int) -> None:
+        """Say what has ended the node from outside, as on a computer, and where, if that is known."""
+        sys.stderr.write(f"rosspin: {file or self._program.path}:{f'{line}:' if line else ''} {why}\n")
+        raise SystemExit(128 + signal)
 
 
 def _answers(ros: int) -> Any:

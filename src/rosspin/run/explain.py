@@ -113,8 +113,9 @@ def stands_still(nodes: Sequence[Code], ros: int, error: Standstill | Stuck, clo
             f"more{ROS[ros].also_threads}. Start them outside of loops and callbacks, or end them."
         )
     else:
+        there = f", in {place.function}" if place and place.function and not place.line else ""
         why = (
-            "because the node keeps running without sleeping. "
+            f"because the node keeps running without sleeping{there}. "
             f"Sleep in every loop (rate.sleep(), {sleep}), and give timers and rates a period above 0."
         )
     return TimeStandsStill(f"{where}{': ' if where else ''}{now}, {why}")

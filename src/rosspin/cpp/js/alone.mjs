@@ -15,7 +15,6 @@ const PATIENCE = 17
 
 const SIGINT = 2
 const KILLED = 128 + 9
-const SEGMENTATION_FAULT = 128 + 11
 
 const TICK = 32 // bytes: see shared.mjs
 
@@ -151,7 +150,7 @@ export class Alone extends Node {
     return [...new Set(said)].filter(Boolean)
   }
 
-  #take({ ticks, status, waiting, trap, where }) {
+  #take({ ticks, status, waiting, trap }) {
     for (let at = 0; at < (ticks?.length ?? 0); at += TICK) {
       const view = new DataView(ticks.buffer, ticks.byteOffset + at, TICK)
       const time = (place) => seconds(view.getBigInt64(place, true))
@@ -162,9 +161,9 @@ export class Alone extends Node {
       this.#shown.begin(tick, number)
     }
     if (trap) {
-      const place = where.find(Boolean)
-      this.#say(`rosspin: ${this.#file.name}: ${trap}${place ? `, in ${place}` : ""}\n`)
-      this.#finish(SEGMENTATION_FAULT)
+      const { why, signal, file, line } = trap
+      this.#say(`rosspin: ${file || this.#file.name}:${line ? `${line}:` : ""} ${why}\n`)
+      this.#finish(128 + signal)
     }
     if (status === 0) this.#hints = this.#uncalled(waiting)
     if (status !== undefined) this.#finish(status)

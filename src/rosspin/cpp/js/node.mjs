@@ -3,9 +3,12 @@
 // A batch is { log, ticks?, now, wake, asks?, status?, trap? }. `log` is what happened since the last one, in order:
 // ["out", fd, text (a character a byte)], ["source", name, period], ["end", tick, duration] of a tick that was told in an
 // earlier batch, ["tell", text]. `ticks` are bytes (see shared.mjs). Times are in ns, as text. The node waits until `wake`,
-// unless it `asks` something (text), or has ended, by a `trap`, in words, or with a `status` and how many callbacks were still
-// `waiting` for someone to spin, -1 if someone has. The host answers { now, horizon, events, signals }, and `answer`: the node
-// may run on its own as long as its time is before `horizon`.
+// unless it `asks` something (text), or has ended, by a `trap`, or with a `status` and how many callbacks were still `waiting`
+// for someone to spin, -1 if someone has. The host answers { now, horizon, events, signals }, and `answer`: the node may run
+// on its own as long as its time is before `horizon`.
+//
+// A trap is { why, in words; signal, the number that would have ended it on a computer; file, line, of its source }: line is 0
+// where that is not known, and file empty if it is the one with main.
 
 import { functionNames } from "./names.mjs"
 import { hasThreads } from "./threads.mjs"
@@ -68,13 +71,24 @@ export class Node {
     this.pass(this.#batch(end))
   }
 
+  /** Tell that it is in an endless loop, with all that came before. */
+  standStill() {
+    this.pass(this.#batch({ stuck: this.#function(new Error()) }))
+  }
+
   #ended(status) {
     return { status, waiting: this.shared.waiting }
   }
 
   #trap(error) {
     if (!(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) throw error
-    return { trap: why(error.message), where: this.#places(error) }
+    const { file, line, divides } = this.shared.fault ?? { file: "", line: 0 }
+    const said = divides ? "divide by zero" : error.message
+    const [reason, signal] = REASONS.find(([, , trap]) => said.includes(trap)) ?? [`it was ended (${said})`, SIGSEGV]
+    const [, number, name] = OF_NODE.exec(file) ?? []
+    if (name) return { trap: { why: reason, signal, file: number === "0" ? "" : name, line } }
+    const place = this.#function(error)
+    return { trap: { why: place ? `${reason}, in ${place}` : reason, signal, file: "", line: 0 } }
   }
 
   write(fd, bytes) {
@@ -142,11 +156,11 @@ export class Node {
     return program.give(bytes(`${text}\0`))
   }
 
-  /** The functions that were running at a trap, innermost first, by their names in the source. */
-  #places(error) {
+  /** The innermost function of the node itself that was running when this error was made; empty if there is none. */
+  #function(error) {
     const numbers = [...(error.stack ?? "").matchAll(/wasm-function\[(\d+)\]/g)].map(([, number]) => Number(number))
     const names = functionNames(this.module)
-    return numbers.map((number) => names.get(number) ?? "")
+    return numbers.map((number) => names.get(number) ?? "").find((name) => OWN.test(name)) ?? ""
   }
 
   #imports(program, out) {
@@ -178,13 +192,22 @@ export class Node {
   }
 }
 
-/** Why a trap has ended it, in words. */
-function why(said) {
-  if (said.includes("call stack")) return "its stack has overflowed: a function may call itself without an end"
-  if (said.includes("out of bounds")) return "it has used memory that it does not have, or its stack has overflowed"
-  if (said.includes("unreachable")) return "it has used a null pointer"
-  return `it was ended (${said})`
-}
+const SIGFPE = 8
+const SIGSEGV = 11
+
+/** Why a trap has ended it, in words, the signal, and what the trap is called. */
+const REASONS = [
+  ["its stack has overflowed: a function may call itself without an end", SIGSEGV, "call stack"],
+  ["it has used memory that it does not have, or its stack has overflowed", SIGSEGV, "out of bounds"],
+  ["it has used a null pointer", SIGSEGV, "unreachable"],
+  ["it has divided by zero", SIGFPE, "divide by zero"],
+]
+
+/** A file of the node, with which number, as the compiler names it. */
+const OF_NODE = /^\/?(?:node\/(\d+)|own)\/(.+)/
+
+/** A function of the node: see lean.py. */
+const OWN = /^(\(anonymous namespace\)::)?(?![^(]*\b(std|rosspin|rclcpp|rcl_interfaces|ros|boost)::|__)[^(]+\(/
 
 /** Bytes of a text of which each character is one, and the other way round. */
 const bytes = (text) => Uint8Array.from(text, (character) => character.charCodeAt(0))

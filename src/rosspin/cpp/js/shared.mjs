@@ -9,7 +9,9 @@ const TICKS = 32
 const WAITING = 36
 const FIRST = 40
 const REAL = 48
-const TICK = 56
+const FAULT = 56
+const DIVIDES = 60
+const TICK = 64
 
 const SIZE = 32 // of a tick: source, number (int32), expected, real, duration (int64)
 
@@ -72,6 +74,18 @@ export class Shared {
   /** How many callbacks wait for someone to spin; -1: someone does, or has. */
   get waiting() {
     return this.#view.getInt32(WAITING, true)
+  }
+
+  /** What has ended it: the file, the line, and whether it `divides` by zero; undefined if that is not known. */
+  get fault() {
+    const place = this.#view.getUint32(FAULT, true)
+    if (!place) return undefined
+    const bytes = new Uint8Array(this.memory.buffer)
+    const view = new DataView(this.memory.buffer)
+    const file = view.getUint32(place, true)
+    const name = bytes.subarray(file, bytes.indexOf(0, file))
+    const divides = this.#view.getInt32(DIVIDES, true) === 1
+    return { file: new TextDecoder().decode(name), line: view.getUint32(place + 4, true), divides }
   }
 
   /** Take the ticks that were not told yet, as bytes; undefined if there are none. */

@@ -30,12 +30,20 @@ extern "C" int rosspin_errno __asm__("errno");
 
 extern "C"
 {
+// Of a text that the node was compiled from, as clang's sanitizers write it down.
+struct RosspinPlace
+{
+  const char* file;
+  std::uint32_t line, column;
+};
 extern struct RosspinShared
 {
   std::int64_t now, ahead, horizon;
   std::int32_t urgent, looks, ticks, waiting;
   std::int64_t first;
   std::int64_t real;
+  const RosspinPlace* fault;
+  std::int32_t divides;
   RosspinTick tick[4096];
 } rosspin_shared;
 }
