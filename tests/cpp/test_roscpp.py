@@ -561,6 +561,80 @@ def test_filters_and_locks_of_boost(write: Write) -> None:
     ]
 
 
+TALKS = """\
+#include "ros/ros.h"
+#include "std_msgs/UInt32.h"
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "talks");
+  ros::NodeHandle node;
+  ros::Publisher publisher = node.advertise<std_msgs::UInt32>("counter", 10);
+  ros::spin();
+}
+"""
+HEARS = """\
+#include "ros/ros.h"
+#include "std_msgs/String.h"
+void heard(const std_msgs::String& message) { ROS_INFO("heard"); }
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "hears");
+  ros::NodeHandle node;
+  ros::Subscriber subscriber = node.subscribe("counter", 10, heard);
+  ros::spin();
+}
+"""
+TALKS_PY = """\
+import rospy
+from std_msgs.msg import UInt32
+rospy.init_node("talks")
+publisher = rospy.Publisher("counter", UInt32, queue_size=10)
+rospy.spin()
+"""
+HEARS_PY = """\
+import rospy
+from std_msgs.msg import String
+rospy.init_node("hears")
+rospy.Subscriber("counter", String, print)
+rospy.spin()
+"""
+REFUSED = (
+    "[ERROR] Client [/hears] wants topic /counter to have datatype/md5sum "
+    "[std_msgs/String/992ce8a1687cec8c8bd883ec73ca41d1], but our version has "
+    "[std_msgs/UInt32/304a39449588c7f8ce2df6e8001c5fce]. Dropping connection."
+)
+REFUSED_PY = (
+    "[WARN] Could not process inbound connection: topic types do not match: [std_msgs/String] vs. [std_msgs/UInt32]"
+    "{'callerid': '/hears', 'md5sum': '992ce8a1687cec8c8bd883ec73ca41d1', 'tcp_nodelay': '0', 'topic': '/counter', "
+    "'type': 'std_msgs/String'}"
+)
+REFUSED_WITHIN = [
+    "[ERROR] md5sum mismatch making local subscription to topic /counter.",
+    "[ERROR] Subscriber expects type std_msgs/String, md5sum 992ce8a1687cec8c8bd883ec73ca41d1",
+    "[ERROR] Publisher provides type std_msgs/UInt32, md5sum 304a39449588c7f8ce2df6e8001c5fce",
+    "[ WARN] couldn't register subscriber on topic [/counter]",
+]
+HEARD = '#include "std_msgs/String.h"\nvoid heard(const std_msgs::String&) {}\n'
+HEARS_ITSELF = TALKS.replace("int main", f"{HEARD}int main")
+HEARS_ITSELF = HEARS_ITSELF.replace("  ros::spin", '  auto hears = node.subscribe("counter", 10, heard);\n  ros::spin')
+
+
+@pytest.mark.parametrize(
+    ("nodes", "said"),
+    [
+        ({"talks.cpp": TALKS, "hears.cpp": HEARS}, [REFUSED]),
+        ({"talks.cpp": TALKS, "hears.py": HEARS_PY}, [REFUSED]),
+        ({"talks.py": TALKS_PY, "hears.cpp": HEARS}, [REFUSED_PY]),
+        ({"both.cpp": HEARS_ITSELF}, REFUSED_WITHIN),
+    ],
+)
+def test_a_subscriber_of_another_type_is_refused(write: Write, nodes: dict[str, str], said: list[str]) -> None:
+    """In the words of who publishes, as run on Debian's roscpp 1.15.15 and rospy 1.15.15."""
+    console = simulate([str(write(text, name)) for name, text in nodes.items()], 1.0).console
+    lines = re.sub(r"\x1b\[\d+m", "", console).splitlines()
+    assert [re.sub(r" \[[\d.]+\]:", "", line) for line in lines if "killing on exit" not in line] == said
+
+
 def test_a_loop_that_only_names_ros_ok_does_not_end(write: Write) -> None:
     text = (PACKAGE / "spinner_rate_cpp_node.cpp").read_text(encoding="utf-8")
     run = simulate(write(text.replace("ros::ok()", "ros::ok"), "node.cpp"), 1.0)

@@ -55,8 +55,8 @@ _FLAGS_NODE += ["-Wno-c++11-narrowing", "-Wno-register", "-fno-strict-return"]
 # C++ lets a compiler take it that a loop comes to its end. A node that hangs in one has to hang here, too.
 _FLAGS_NODE += ["-fno-finite-loops"]
 _OURS = ["-w", "-fsanitize-trap=null"]  # for what is ours
-# Where a node itself uses a null pointer, or a reference made from one, or divides by zero, runtime/host.cpp is told the
-# place. One in what clang brings would tell nothing, and all of those take 6 kB, packed.
+# Where a node itself uses a null pointer, or a reference made from one, or divides by zero, runtime/host.cpp is told
+# that place. One in what clang brings would tell nothing, and all of those take 6 kB, packed.
 _UNCHECKED = "unchecked.txt"
 _NODE = ["-fsanitize=integer-divide-by-zero", "-fno-sanitize-recover=null,integer-divide-by-zero"]
 _NODE += ["-fno-delete-null-pointer-checks", f"-fsanitize-ignorelist={_UNCHECKED}", "-Iown"]

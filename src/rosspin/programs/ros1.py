@@ -111,12 +111,20 @@ class Ros1:
                 self._links.append(connection)
             self._event("connect", [number, connects, connection.subscription.node.name, self._links.index(connection)])
 
+        def refuse(wanted: Subscription) -> None:
+            client = "" if wanted.node is self._node else wanted.node.name
+            own = _class(kind)
+            types = [wanted.type, wanted.data_class._md5sum, own._type, own._md5sum]
+            self._event("refused", [client, topic, *types])
+
         self._publishers.append(_Publisher(topic, _class(kind), latch=latch, queue_size=queue_size))
         endpoint = self._publishers[-1].impl
-        if is_told and isinstance(endpoint, _Publication):
-            endpoint.callbacks.append(tell)
-            for connection in endpoint.connections:
-                tell(True, connection)
+        if isinstance(endpoint, _Publication):
+            endpoint.refusals.append(refuse)
+            if is_told:
+                endpoint.callbacks.append(tell)
+                for connection in endpoint.connections:
+                    tell(True, connection)
         return number
 
     def _publish(self, number: int, data: bytes) -> None:
@@ -244,11 +252,15 @@ class _Local(Connection):
 
 
 class _Publication(Publication):
-    """A topic as a C++ node publishes it: ``callbacks`` get whether it is made, or ends, and the connection."""
+    """A topic as a C++ node publishes it: ``callbacks`` get whether a connection is made, or ends, and the connection.
+
+    ``refusals`` get a subscription of another type.
+    """
 
     def __init__(self, node: State, topic: str, data_class: type[Message]) -> None:
         super().__init__(node, topic, data_class)
         self.callbacks: list[Callable[[bool, Connection], None]] = []
+        self.refusals: list[Callable[[Subscription], None]] = []
 
     def accept(self, connection: Connection) -> bool:
         is_accepted = super().accept(connection)
@@ -256,6 +268,10 @@ class _Publication(Publication):
             for tell in self.callbacks:
                 tell(True, connection)
         return is_accepted
+
+    def refuse(self, connection: Connection) -> None:
+        for tell in self.refusals:
+            tell(connection.subscription)
 
     def drop(self, connection: Connection) -> None:
         if connection in self.connections and not self.closed:
@@ -277,6 +293,11 @@ class _Publisher(Publisher):
 
 class _Subscription(Subscription):
     """A topic as a C++ node subscribes to it: to its own publishers it is connected at once."""
+
+    def request(self) -> dict[str, str]:
+        header = super().request()
+        del header["message_definition"]  # which roscpp does not send (source: transport_publisher_link.cpp)
+        return header
 
     def connect(self, publication: Publication, delay: int) -> None:
         if publication.node is not self.node:

@@ -84,8 +84,7 @@ class Publication:
         if names.TOPIC_ANYTYPE not in (wanted._md5sum, self.data_class._md5sum) and wanted._md5sum != (
             self.data_class._md5sum
         ):
-            reason = f"topic types do not match: [{wanted._type}] vs. [{self.type}]"
-            logwarn("Could not process inbound connection: %s%s", reason, connection.request())
+            self.refuse(connection)
             return False
         with self._lock:
             if self.closed:
@@ -100,6 +99,11 @@ class Publication:
         if self.latches and self._latched is not None:
             self._send(self._latched, [connection])
         return True
+
+    def refuse(self, connection: Connection) -> None:
+        """Say that a subscriber expects another type."""
+        reason = f"topic types do not match: [{connection.subscription.data_class._type}] vs. [{self.type}]"
+        logwarn("Could not process inbound connection: %s%s", reason, connection.subscription.request())
 
     def drop(self, connection: Connection) -> None:
         """Forget a connection."""
@@ -194,6 +198,17 @@ class Subscription:
             delay += LATE * self.node.clock.choose([f"{pair} connects", f"{pair} connects late"])
         self.node.world.start(Connection(publication, self, delay))
 
+    def request(self) -> dict[str, str]:
+        """Return the header that it sends when it connects."""
+        return {
+            "callerid": self.node.name,
+            "md5sum": self.data_class._md5sum,
+            "message_definition": self.data_class._full_text,
+            "tcp_nodelay": "0",
+            "topic": self.topic,
+            "type": self.type,
+        }
+
     def set_queue_size(self, queue_size: int | None) -> None:
         """Keep only so many waiting messages, or all for -1. Raises ROSException for 0 and for non-integers."""
         if queue_size == 0:
@@ -277,18 +292,6 @@ class Connection(threading.Thread):
         self._closed = False
         self._ready = threading.Lock()  # free when there is something to look at
         self._ready.acquire()
-
-    def request(self) -> dict[str, str]:
-        """Return the header that a subscriber sends when it connects."""
-        wanted = self.subscription.data_class
-        return {
-            "callerid": self.subscription.node.name,
-            "md5sum": wanted._md5sum,
-            "message_definition": wanted._full_text,
-            "tcp_nodelay": "0",
-            "topic": self.publication.topic,
-            "type": wanted._type,
-        }
 
     @property
     def is_due(self) -> bool:

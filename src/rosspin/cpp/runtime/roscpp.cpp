@@ -351,6 +351,27 @@ void getSubscribedTopics(V_string& topics)
 
 namespace
 {
+// A subscriber, of which node (its own if that is empty) and to which topic, has another type and md5sum than a publisher
+// (sources: publication.cpp, topic_manager.cpp).
+void refused(const std::vector<rosspin::Value>& values)
+{
+  const char* text[6];
+  for (int each = 0; each < 6; each++)
+    text[each] = values[each].string.c_str();
+  const auto [client, topic, wanted, wanted_sum, type, sum] = text;
+  if (*client)
+  {
+    ROS_ERROR("Client [%s] wants topic %s to have datatype/md5sum [%s/%s], but our version has [%s/%s]. Dropping "
+              "connection.",
+        client, topic, wanted, wanted_sum, type, sum);
+    return;
+  }
+  ROS_ERROR("md5sum mismatch making local subscription to topic %s.", topic);
+  ROS_ERROR("Subscriber expects type %s, md5sum %s", wanted, wanted_sum);
+  ROS_ERROR("Publisher provides type %s, md5sum %s", type, sum);
+  ROS_WARN("couldn't register subscriber on topic [%s]", topic);
+}
+
 void received(const std::string& what, std::int64_t when, const rosspin::Value& values)
 {
   if (what == "shutdown")
@@ -361,6 +382,8 @@ void received(const std::string& what, std::int64_t when, const rosspin::Value& 
   if (what == "connect")
     if (auto found = node().publications.find(values.items[0].whole); found != node().publications.end())
       found->second->receive(values.items[1].flag, values.items[2].string, values.items[3].whole);
+  if (what == "refused")
+    refused(values.items);
   if (what == "response")
     node().responses[values.items[0].whole] = values;
   if (what != "message")
