@@ -21,11 +21,16 @@ _RATE = re.compile(r"(Wall)?Rate( \d+)?$")
 
 _LOGGER = re.compile(r"\[\w+\] \[[\d.]+\] \[([\w.]+)\]: ")
 
-# Exit statuses of a program that was ended by SIGABRT, as by an exception that nothing catches, and by SIGSEGV.
-_ABORTED, _TRAPPED = 128 + 6, 128 + 11
+# The exit status of a program that was ended by SIGABRT, as by an exception that nothing catches.
+_ABORTED = 128 + 6
 
 _UNCAUGHT = "What threw this says in its own words what was wrong, and nothing in the node has caught it."
-_NULL = "Something that the node uses there was not made yet, or has ended: what holds it, and for how long?"
+
+# What to say where a program was ended by a signal: by SIGFPE, and by SIGSEGV.
+_TRAPPED = {
+    128 + 8: "A whole number cannot be divided by 0: what has the divisor been set to by then?",
+    128 + 11: "Something that the node uses there was not made yet, or has ended: what holds it, and for how long?",
+}
 
 
 class InCpp:
@@ -94,9 +99,12 @@ def errors(world: World, printed: Sequence[Printed], path: str) -> tuple[Error, 
     if world.exit_status == _ABORTED:
         start = next((n for n, line in enumerate(lines) if line.startswith("terminate called")), len(lines))
         said = " ".join(lines[start : start + 2]) or "abort()"
-    elif world.exit_status == _TRAPPED:
-        said = next((line.partition(f"{path}: ")[2] for line in reversed(lines) if f"{path}: " in line), "")
-    else:
+        hint = "A period cannot be negative." if "period cannot be negative" in said else _UNCAUGHT
+        return (Error("exception", plain(said), 0, "node", False, hint),)
+    if world.exit_status not in _TRAPPED:
         return ()
-    hint = "A period cannot be negative." if "period cannot be negative" in said else _UNCAUGHT
-    return (Error("exception", plain(said), 0, "node", False, hint if world.exit_status == _ABORTED else _NULL),)
+    trap = re.compile(rf"rosspin: {re.escape(path)}:(?:(\d+):)? (.*)")
+    found = next(filter(None, map(trap.fullmatch, reversed(lines))), None)
+    if not found:  # it has ended with this status by itself
+        return ()
+    return (Error("exception", plain(found[2]), int(found[1] or 0), "node", False, _TRAPPED[world.exit_status]),)

@@ -160,7 +160,7 @@ export class Node {
   #function(error) {
     const numbers = [...(error.stack ?? "").matchAll(/wasm-function\[(\d+)\]/g)].map(([, number]) => Number(number))
     const names = functionNames(this.module)
-    return numbers.map((number) => names.get(number) ?? "").find((name) => OWN.test(name)) ?? ""
+    return numbers.map((number) => own(names.get(number) ?? "")).find(Boolean) ?? ""
   }
 
   #imports(program, out) {
@@ -206,8 +206,15 @@ const REASONS = [
 /** A file of the node, with which number, as the compiler names it. */
 const OF_NODE = /^\/?(?:node\/(\d+)|own)\/(.+)/
 
-/** A function of the node: see lean.py. */
+/** A function of the node (see lean.py), and a lambda in one, which is often all that is left of what it calls. */
 const OWN = /^(\(anonymous namespace\)::)?(?![^(]*\b(std|rosspin|rclcpp|rcl_interfaces|ros|boost)::|__)[^(]+\(/
+const LAMBDA = /((?:\w+::)*\w+\([^()]*\))::'lambda/
+
+function own(name) {
+  if (OWN.test(name)) return name
+  const [, around = ""] = LAMBDA.exec(name) ?? []
+  return OWN.test(around) ? `a lambda of ${around}` : ""
+}
 
 /** Bytes of a text of which each character is one, and the other way round. */
 const bytes = (text) => Uint8Array.from(text, (character) => character.charCodeAt(0))

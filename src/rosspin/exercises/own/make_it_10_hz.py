@@ -264,6 +264,7 @@ WRONG_CPP = [
     ({SPIN_CPP: ""}, "no counter was printed", "The node ended by itself"),
     ({"[this] { timer": "[this](int) { timer"}, "does not compile", "The callback does not fit what calls it"),
     ({"counter_++;": "*std::shared_ptr<int>() = 1;"}, "it has used a null pointer", "was not made yet"),
+    ({"counter_++;": "counter_ += 1 / counter_;"}, "stopped in line 19: `it has divided by zero`", "be divided by 0"),
     ({"counter_++;": 'throw std::runtime_error("lost");'}, "what(): lost", "nothing in the node has caught it"),
     ({"rclcpp/rclcpp.hpp": "ros/ros.h"}, "This node is for ROS 1", "This exercise is on ROS 2"),
 ]

@@ -330,7 +330,11 @@ WRONG_CPP = [
         "the publisher was made at 0.2 s",
         "Make it once, before the timer",
     ),
-    ({MAKES_CPP: ""}, "it has used a null pointer", "Something that the node uses there was not made yet, or has"),
+    (
+        {MAKES_CPP: ""},
+        "stopped in line 25: `it has used a null pointer`",
+        "Something that the node uses there was not made yet, or has",
+    ),
     (
         {"    publisher_->publish(message);\n": ""},
         "on `/counter`: the node published nothing",
