@@ -15,7 +15,8 @@ let rest = Buffer.alloc(0)
 
 /** How many exchanges with the host there were, and how long (ms) a node may compute; 0: none does, or not in that time. */
 const watched = new Int32Array(new SharedArrayBuffer(8))
-new Worker(new URL("./watch.mjs", import.meta.url), { workerData: watched }).unref()
+// To lend it this process's output would make that one that does not block.
+new Worker(new URL("./watch.mjs", import.meta.url), { workerData: watched, stdout: true, stderr: true }).unref()
 let most = 0
 
 function watch(time) {

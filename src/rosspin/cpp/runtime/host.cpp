@@ -35,7 +35,7 @@ constexpr std::int64_t one_look[] = {0, 1'000, 10'000, 100'000, 1'000'000};
 
 __attribute__((used)) RosspinShared rosspin_shared;
 
-// What clang's sanitizers call before a null pointer is used, or before a division by zero (compiler-rt's ubsan_handlers.h).
+// What clang's checks call before a null pointer is used, or before a division by zero (compiler-rt's ubsan_handlers.h).
 extern "C" [[noreturn]] void __ubsan_handle_type_mismatch_v1_abort(const RosspinPlace* place, std::uintptr_t)
 {
   rosspin_shared.fault = place;

@@ -30,7 +30,7 @@ extern "C" int rosspin_errno __asm__("errno");
 
 extern "C"
 {
-// Of a text that the node was compiled from, as clang's sanitizers write it down.
+// Of a text that the node was compiled from, as clang's checks write it down.
 struct RosspinPlace
 {
   const char* file;
