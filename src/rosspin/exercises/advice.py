@@ -378,6 +378,8 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
         return _PASSED_2["Subscription"]
     if isinstance(error, RCLError) and "invalid allocator" in str(error):
         return "The node uses this topic with another type already. Both ends of a topic have to name the same type."
+    if "Expected QoSProfile or int, but received <class 'str'>" in str(error):
+        return "A profile is an object: write its name without quotation marks, and import it from rclpy.qos."
     if "History and/or depth settings are required" in str(error):
         return "A QoSProfile needs a depth, too: QoSProfile(depth=10, ...)."
     if isinstance(error, TypeError) and not str(error):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .. import judges as by
 from ..feedback import Finding
-from ..judging import plain
+from ..judging import plain, say
 from ..observed import ObservedRun, Printed
 
 TITLE = "Make both ends match"
@@ -129,12 +129,15 @@ def _hears_all(run: ObservedRun, when: str) -> Finding:
     """
     due = by.grid(0.5, run.seconds)
     sent = [Printed(message.time, message.data) for message in run.sent if message.topic == "/position"]
+    heard = run.values("CONTROLLER", "position")
+    if sent and heard and sent[0].text == heard[0].text and heard[0].time - sent[0].time > by.CLOSE:
+        text = f"The controller: position 1 came at {say(sent[0].time)}, and was printed only at {say(heard[0].time)}."
+        return Finding(False, text, "What keeps its callback? Meanwhile nothing else is called, the sensor included.")
     published = by.on_time(sent, due, "The sensor", by.AS_IT_IS, "position")
     if not published.right:
         return published
     if wrong := by.sensor_of(run, "best_effort, volatile, depth 5") or by.unmatched(run):
         return wrong
-    heard = run.values("CONTROLLER", "position")
     if any(line.timer for line in heard):
         return by.called_itself("The controller")
     if others := [line.text for line in heard if not line.heard]:
@@ -164,6 +167,7 @@ STAYS = "The sensor should stay as it is"
 IMPORTS_QOS = "from rclpy.qos import qos_profile_sensor_data"
 BEST = "QoSProfile(depth=10, reliability=ReliabilityPolicy.BEST_EFFORT)"
 IMPORTS_BEST = {IMPORTS_QOS: f"{IMPORTS_QOS}, QoSProfile, ReliabilityPolicy"}
+BEGINS = "    def position_callback(self, message):\n"
 CALLED_ITSELF = "        self.position_callback(UInt32(data=self.position))\n"
 MAKES_SENSOR = 'self.create_publisher(UInt32, "position", qos_profile_sensor_data)'
 
@@ -178,6 +182,19 @@ RIGHT = [
     {TRY.replace("spinner", "robot"): "    rclpy.spin(robot_py_node)\n"},
 ]
 WRONG = [
+    (
+        {HEARS: 'self.position_callback, "qos_profile_sensor_data")'},
+        "Expected QoSProfile or int, but received <class 'str'>",
+        "write its name without quotation marks",
+    ),
+    *(
+        (
+            {"import rclpy\n": "import time\nimport rclpy\n", BEGINS: f"{BEGINS}        time.sleep({seconds})\n"},
+            f"position 1 came at 0.5 s, and was printed only at {0.5 + seconds:g} s",
+            "What keeps its callback?",
+        )
+        for seconds in (0.1, 1)
+    ),
     (
         {
             HEARS: "self.position_callback, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, "
