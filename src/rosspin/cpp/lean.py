@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 __all__ = ["lean"]
 
-_CUSTOM, _IMPORTS, _CODE = 0, 2, 10
+_CUSTOM, _IMPORTS, _CODE, _DATA = 0, 2, 10, 11
 
 # What the C++ library links into each program that prints: wide characters, money, dates, catalogues of messages. How
 # their objects are made is left in, as each program makes them when it starts.
@@ -19,15 +19,16 @@ _UNCALLED = re.compile(
     rf"|(codecvt)<char(?:8|16|32)_t{_ARGUMENTS})"
     r"(?!(?:__)?(?:\1|\2|\3)\b)\w"
     r"|\bstd::__2::(?:utf|ucs)\d+_to_\w+\(|\bbasic_string<wchar_t,|^__strftime|\b__time_put::__do_put\("
-    r"|\bcodecvt<wchar_t, char, __mbstate_t>::do_(?:in|out|length|unshift)\(|^(?:mbsn?rtowcs|wcsnrtombs)$"
+    r"|\bcodecvt<wchar_t, char, __mbstate_t>::do_(?:in|out|length|unshift)\("
+    r"|^(?:mbsn?rtowcs|wcsnrtombs|week_num|__mo_lookup)$"
     r"|\b__(?:double_or_nothing|get_up_to_n_digits|pad_and_output)\[\w+:\w+\]<wchar_t"
 )
 # How numbers are read from a stream, which is as long as a fourth of that.
 _OF_INPUT = re.compile(
-    r"^std::__2::istreambuf_iterator<.*\bnum_get<|\bnum_get<.*>::do_get\(|\b__num_get(?:_|\b)|^vs?f?scanf$"
+    r"^std::__2::istreambuf_iterator<.*\bnum_get<|\bnum_get<.*>::do_get\(|\b__num_get(?:_|\b)|^(?:vs?f?scanf|hexfloat)$"
     r"|\b__(?:get_up_to_n_digits|scan_keyword)\b"
 )
-_READS = re.compile(r">>|\bcin\b|istream|lexical_cast|get_time|scanf")
+_READS = re.compile(r">>|\bcin\b|istream|lexical_cast|get_time|scanf|strto|ato[fil]|sto[dfil]")
 
 # How a node that does call the others asks for it.
 _CALLED = re.compile(
@@ -39,6 +40,9 @@ _OWN = re.compile(
     r"(?:\(anonymous namespace\)::)?(?![^(]*\b(?:std|rosspin|rclcpp|rcl_interfaces|ros|boost|__cxxabiv1)::)"
     r"(?!operator |decltype|void \(|rcutils|non-virtual|\S* strip_|__)[^(]+\(.*\)"
 )
+
+# The name of a type, which is kept for each kind of pointer whose use is checked.
+_TYPE = re.compile(rb"(?<=\xff\xff\0\0)'[^\0]+")
 
 _UNREACHABLE = b"\0\0\x0b"
 
@@ -57,6 +61,8 @@ def lean(program: bytes, text: str) -> bytes:
     for kind, data in sections:
         if kind == _CODE:
             made += _section(kind, _code(data, {number - imported for number in uncalled}))
+        elif kind == _DATA:
+            made += _section(kind, _TYPE.sub(lambda name: bytes(len(name[0])), data))
         elif kind != _CUSTOM:
             made += _section(kind, data)
     own = sorted((number, name) for number, name in names.items() if _OWN.fullmatch(name))
