@@ -12,6 +12,7 @@ from __future__ import annotations
 import base64
 import gzip
 import hashlib
+import inspect
 import json
 import os
 import re
@@ -71,6 +72,8 @@ _CORRECTED = {
 # SHA-256 of their files: what a listing is, and what it needs besides.
 _PROGRAMS = "_static/programs"
 _COMPILER = "_static/clang"
+# Which way of making programs small it was, for those that are kept.
+_LEANER = hashlib.sha256(Path(inspect.getfile(lean)).read_bytes()).hexdigest()[:8]
 _PROGRAM = re.compile(r"\b(?:program|launch|needs)-([\da-f]{64})\b")
 
 _INLINE_SCRIPT = re.compile(r"<script(?![^>]*\bsrc=)[^>]*>(.*?)</script>", re.DOTALL)
@@ -134,7 +137,7 @@ def _publish_text(text: str, folder: Path) -> list[str]:
 
 
 def _publish_program(program: Path, text: str, folder: Path) -> list[str]:
-    packed = program.with_suffix(".gz")
+    packed = program.with_suffix(f".{_LEANER}.gz")
     if not packed.exists():
         beside = packed.with_suffix(f".{os.getpid()}")
         beside.write_bytes(gzip.compress(lean(program.read_bytes(), text), mtime=0))
