@@ -301,6 +301,7 @@ def test_a_fault_delays_a_call(write: Write) -> None:
         ("return std::vector<int>().front();", 139, "node.cpp:4: it has used a null pointer\n"),
         ("ros::Timer* none = nullptr;\n  none->stop();", 139, "node.cpp:5: it has used a null pointer\n"),
         ("auto& none = *std::unique_ptr<ros::Timer>();", 139, "node.cpp:4: it has used a null pointer\n"),
+        ("void (*volatile none)() = nullptr;\n  none();", 139, "node.cpp: it has called a null pointer, or"),
         ("return 7 / (argc - 1);", 136, "node.cpp:4: it has divided by zero\n"),
         ("return 7 % (argc - 1);", 136, "node.cpp:4: it has divided by zero\n"),
         ("throw 5;", 134, "terminate called after throwing an instance of 'int'"),

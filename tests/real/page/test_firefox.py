@@ -77,14 +77,28 @@ def test_a_listing_in_cpp_runs(firefox_page: Tab, address: str, speed: str) -> N
     assert console == simulate(SPINNER_CPP, 10).console
 
 
-def test_a_change_in_cpp_is_compiled(firefox_page: Tab, address: str, tmp_path: Path) -> None:
+# What is changed in C++, and what is said then.
+CHANGES = {
+    "faster": ("(0.5)", "(0.25)", "done: 4 ticks"),
+    "null": ("rclcpp::spin(", "int* none = nullptr;\n  *none = 1;\n  rclcpp::spin(", "error"),
+    "recursion": ("int main(", "int deep(int n) { return n ? deep(n + 1) + deep(n + 2) : 0; }\nint main(", "error"),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_change_in_cpp_is_compiled(firefox_page: Tab, address: str, tmp_path: Path, change: str) -> None:
     """What came with a link is not what was compiled with the page."""
-    faster = tmp_path / SPINNER_CPP.name
-    faster.write_text(SPINNER_CPP.read_text(encoding="utf-8").replace("(0.5)", "(0.25)"), encoding="utf-8")
-    code = link(cell=1, text=faster.read_text(encoding="utf-8"), seconds=1)
+    before, after, ends = CHANGES[change]
+    text = SPINNER_CPP.read_text(encoding="utf-8").replace(before, after)
+    if change == "recursion":
+        text = text.replace("rclcpp::spin(", "std::cout << deep(argc);\n  rclcpp::spin(")
+    changed = tmp_path / SPINNER_CPP.name
+    changed.write_text(text, encoding="utf-8")
+    code = link(cell=1, text=text, seconds=1)
     firefox_page.open(f"{address}docs/ros2/tutorial.html?lang=cpp{code}")
     status, console = firefox_page.evaluate(RUN_LINKED, ".highlight-cpp", "0")
-    assert (status, console) == ("done: 4 ticks", simulate(faster, 1).console)
+    said = simulate(changed, 1).console.replace(str(changed), changed.name)
+    assert (status.partition(":")[0] if ends == "error" else status, console) == (ends, said)
 
 
 def test_answers_are_judged(firefox_page: Tab, site: Path) -> None:

@@ -81,10 +81,10 @@ export class Node {
   }
 
   #trap(error) {
-    if (!(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) throw error
+    if (!TRAPS.includes(error.name)) throw error
     const { file, line, divides } = this.shared.fault ?? { file: "", line: 0 }
     const said = divides ? "divide by zero" : error.message
-    const [reason, signal] = REASONS.find(([, , trap]) => said.includes(trap)) ?? [`it was ended (${said})`, SIGSEGV]
+    const [reason, signal] = REASONS.find(([, , trap]) => trap.test(said)) ?? [`it was ended (${said})`, SIGSEGV]
     const [, number, name] = OF_NODE.exec(file) ?? []
     if (name) return { trap: { why: reason, signal, file: number === "0" ? "" : name, line } }
     const place = this.#function(error)
@@ -195,13 +195,17 @@ export class Node {
 const SIGFPE = 8
 const SIGSEGV = 11
 
-/** Why a trap has ended it, in words, the signal, and what the trap is called. */
+/** Why a trap has ended it, in words, the signal, and what browsers call it. */
 const REASONS = [
-  ["its stack has overflowed: a function may call itself without an end", SIGSEGV, "call stack"],
-  ["it has used memory that it does not have, or its stack has overflowed", SIGSEGV, "out of bounds"],
-  ["it has used a null pointer", SIGSEGV, "unreachable"],
-  ["it has divided by zero", SIGFPE, "divide by zero"],
+  ["its stack has overflowed: a function may call itself without an end", SIGSEGV, /call stack|recursion/],
+  ["it has used memory that it does not have, or its stack has overflowed", SIGSEGV, /out of bounds/i],
+  ["it has used a null pointer", SIGSEGV, /unreachable/i],
+  ["it has called a null pointer, or one to a function with other parameters", SIGSEGV, /null function|indirect/],
+  ["it has divided by zero", SIGFPE, /divi(de|sion) by zero/i],
 ]
+
+/** What is thrown at a trap, and where the stack ends. */
+const TRAPS = ["RuntimeError", "RangeError", "InternalError"]
 
 /** A file of the node, with which number, as the compiler names it. */
 const OF_NODE = /^\/?(?:node\/(\d+)|own)\/(.+)/
