@@ -293,6 +293,10 @@ def test_a_fault_delays_a_call(write: Write) -> None:
     assert [(each.asked, each.answered) for each in run.calls] == [(0.003, 0.503), (0.506, 1.006)]
 
 
+# Where a program is told the place of its fault, and might write anything.
+PLACE, NOWHERE = "rosspin_shared.fault", "(const RosspinPlace*)-9"
+
+
 @pytest.mark.parametrize(
     ("body", "status", "said"),
     [
@@ -302,6 +306,12 @@ def test_a_fault_delays_a_call(write: Write) -> None:
         ("ros::Timer* none = nullptr;\n  none->stop();", 139, "node.cpp:5: it has used a null pointer\n"),
         ("auto& none = *std::unique_ptr<ros::Timer>();", 139, "node.cpp:4: it has used a null pointer\n"),
         ("void (*volatile none)() = nullptr;\n  none();", 139, "node.cpp: it has called a null pointer, or"),
+        (f"{PLACE} = {NOWHERE};\n  __builtin_trap();", 139, "node.cpp: it has used a null pointer"),
+        (
+            f"{PLACE} = new RosspinPlace{{(char*)-9, 5}};\n  __builtin_trap();",
+            139,
+            "node.cpp: it has used a null pointer",
+        ),
         ("return 7 / (argc - 1);", 136, "node.cpp:4: it has divided by zero\n"),
         ("return 7 % (argc - 1);", 136, "node.cpp:4: it has divided by zero\n"),
         ("throw 5;", 134, "terminate called after throwing an instance of 'int'"),

@@ -13,6 +13,9 @@ const FAULT = 56
 const DIVIDES = 60
 const TICK = 64
 
+const PLACE = 12 // bytes, of a file, a line and a column
+const LONGEST = 1_000 // name of a file
+
 const SIZE = 32 // of a tick: source, number (int32), expected, real, duration (int64)
 
 export class Shared {
@@ -76,16 +79,18 @@ export class Shared {
     return this.#view.getInt32(WAITING, true)
   }
 
-  /** What has ended it: the file, the line, and whether it `divides` by zero; undefined if that is not known. */
+  /**
+   * What has ended it: the file, the line, and whether it `divides` by zero; undefined if that is not known. The program
+   * may have written anything there.
+   */
   get fault() {
     const place = this.#view.getUint32(FAULT, true)
-    if (!place) return undefined
     const bytes = new Uint8Array(this.memory.buffer)
-    const view = new DataView(this.memory.buffer)
-    const file = view.getUint32(place, true)
-    const name = bytes.subarray(file, bytes.indexOf(0, file))
-    const divides = this.#view.getInt32(DIVIDES, true) === 1
-    return { file: new TextDecoder().decode(name), line: view.getUint32(place + 4, true), divides }
+    if (!place || place + PLACE > bytes.length) return undefined
+    const view = new DataView(bytes.buffer, place)
+    const file = view.getUint32(0, true)
+    const [name] = new TextDecoder().decode(bytes.subarray(file, file + LONGEST)).split("\0")
+    return { file: name, line: view.getUint32(4, true), divides: this.#view.getInt32(DIVIDES, true) === 1 }
   }
 
   /** Take the ticks that were not told yet, as bytes; undefined if there are none. */
