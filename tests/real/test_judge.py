@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -38,13 +39,17 @@ def test_an_answer_that_never_ends_is_ended(tmp_path: Path) -> None:
 def test_ctrl_c_keeps_what_has_been_judged(tmp_path: Path) -> None:
     _class(tmp_path, slow_timer=CELLS["slow-timer"][1].source, ten_hertz=ENDLESS)
     command = [sys.executable, "-m", "rosspin", "judge", "eve.json", "--csv", "table.csv", "--json"]
-    child = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    try:
-        child.wait(5)
-    except subprocess.TimeoutExpired:
+    screen, terminal = os.openpty()
+    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=terminal, text=True) as child:
+        os.close(terminal)
+        shown = b""
+        while b"1 of 2 answers" not in shown:
+            shown += os.read(screen, 1000)
         child.send_signal(signal.SIGINT)
-    out, _ = child.communicate(timeout=NEVER)
+        out, _ = child.communicate(timeout=NEVER)
+    os.close(screen)
     assert child.returncode == 130
     (eve,) = json.loads(out)["students"]
-    assert eve["answers"]["ten-hertz"]["verdict"] == "stopped"
+    verdicts = {name: answer["verdict"] for name, answer in eve["answers"].items()}
+    assert verdicts == {"slow-timer": "solved", "ten-hertz": "stopped"}
     assert "stopped" in (tmp_path / "table.csv").read_text()
