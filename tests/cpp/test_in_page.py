@@ -109,6 +109,24 @@ def test_a_node_that_reads_numbers_has_what_reads_them(tmp_path: Path) -> None:
     assert len(lean(program, "")) < len(lean(program, READS)) - 10_000
 
 
+@pytest.mark.parametrize(
+    "line",
+    [
+        'std::printf("%g", std::stod("0x1.8p3"));',
+        'std::printf("%g", std::strtod("0x1.8p3", nullptr));',
+        'std::printf("%g", std::atof("0x1.8p3"));',
+        'std::time_t day = 86400 * 40; char text[40]; std::strftime(text, 40, "%V %W %a %j", std::gmtime(&day)); '
+        "std::puts(text);",
+        "std::puts(std::strerror(ENOENT));",
+    ],
+)
+def test_what_few_nodes_call_is_there_for_them(tmp_path: Path, line: str) -> None:
+    file = tmp_path / "calls.cpp"
+    file.write_text(f'#include "ros/ros.h"\n#include <cstring>\nint main()\n{{\n  {line}\n}}\n', encoding="utf-8")
+    ((console, _),) = in_page(file, [(1.0, "")], tmp_path)
+    assert console == simulate(file, 1.0).console
+
+
 EAR = """\
 #include "rcl_interfaces/msg/log.hpp"
 #include "rclcpp/rclcpp.hpp"

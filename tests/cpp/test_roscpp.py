@@ -293,6 +293,8 @@ def test_a_fault_delays_a_call(write: Write) -> None:
     assert [(each.asked, each.answered) for each in run.calls] == [(0.003, 0.503), (0.506, 1.006)]
 
 
+DEEP = "struct Deep { static int down(int n) { return n ? down(n + 1) + down(n + 2) : 0; } };"
+
 # Where a program is told the place of its fault, and might write anything.
 PLACE, NOWHERE = "rosspin_shared.fault", "(const RosspinPlace*)-9"
 
@@ -311,6 +313,11 @@ PLACE, NOWHERE = "rosspin_shared.fault", "(const RosspinPlace*)-9"
             f"{PLACE} = new RosspinPlace{{(char*)-9, 5}};\n  __builtin_trap();",
             139,
             "node.cpp: it has used a null pointer",
+        ),
+        (
+            f"{DEEP} return Deep::down(argc);",
+            139,
+            "its stack has overflowed: a function may call itself without an end, in ",
         ),
         ("return 7 / (argc - 1);", 136, "node.cpp:4: it has divided by zero\n"),
         ("return 7 % (argc - 1);", 136, "node.cpp:4: it has divided by zero\n"),
@@ -677,12 +684,19 @@ def test_a_loop_without_an_end_ends_the_run(
     write: Write, monkeypatch: pytest.MonkeyPatch, loop: str, call: str
 ) -> None:
     """Even one that does nothing, which C++ lets a compiler leave out."""
-    monkeypatch.setattr("rosspin.cpp.nodejs._MOST", 0.5)
+    monkeypatch.setattr("rosspin.cpp.nodejs._ASKED", 0.5)
     node = write(LOOP.replace("LOOP", loop).replace("CALL", call), "node.cpp")
     said = (
         r"node\.cpp: simulated time stands still at 1\.0 s, because the .* running without sleeping, in hang\(int\)\."
     )
     with pytest.raises(TimeStandsStill, match=said):
+        simulate(node, 2.0)
+
+
+def test_a_loop_that_cannot_be_asked_where_it_is_ends_the_run(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosspin.cpp.nodejs._ENDED", 0.5)
+    node = write(LOOP.replace("LOOP", "for (;;) {}").replace("CALL", "hang(argc);"), "node.cpp")
+    with pytest.raises(TimeStandsStill, match=r"because the node keeps running without sleeping\."):
         simulate(node, 2.0)
 
 

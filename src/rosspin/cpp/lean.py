@@ -23,7 +23,7 @@ _UNCALLED = re.compile(
     r"|^(?:mbsn?rtowcs|wcsnrtombs|week_num|__mo_lookup)$"
     r"|\b__(?:double_or_nothing|get_up_to_n_digits|pad_and_output)\[\w+:\w+\]<wchar_t"
 )
-# How numbers are read from a stream, which is as long as a fourth of that.
+# How numbers are read, from a stream and if they are hexadecimal, which is as long as a fourth of that.
 _OF_INPUT = re.compile(
     r"^std::__2::istreambuf_iterator<.*\bnum_get<|\bnum_get<.*>::do_get\(|\b__num_get(?:_|\b)|^(?:vs?f?scanf|hexfloat)$"
     r"|\b__(?:get_up_to_n_digits|scan_keyword)\b"
@@ -32,7 +32,7 @@ _READS = re.compile(r">>|\bcin\b|istream|lexical_cast|get_time|scanf|strto|ato[f
 
 # How a node that does call the others asks for it.
 _CALLED = re.compile(
-    r"\bw(?:char_t|string|cout|cerr|clog|cin|\w*stream)\b|char(?:8|16|32)_t|\b[uU]?L\"|money|_time\b|<codecvt>|<format>|messages<"
+    r"\bw(?:char_t|string|cout|cerr|clog|cin|\w*stream)\b|char(?:8|16|32)_t|\b[uU]?L\"|money|(?:_|strf)time\b|<codecvt>|<format>|messages<"
 )
 
 # The names of the node's own functions: a timer is named after its callback, and the place of a fault is told by it.

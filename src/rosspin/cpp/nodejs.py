@@ -28,10 +28,11 @@ _RUN = Path(__file__).parent / "js" / "run.mjs"
 
 _CHUNK = 1 << 16  # bytes that are read at once
 
-# How often (s) a node is looked at while it computes, and after how much time of a processor (s) it will not end: then
-# it says where it is (js/watch.mjs). After twice that time, it is ended without a word.
+# How often (s) a node is looked at while it computes; and after how much time of a processor (s) it will not end, so
+# that it says where it is (js/watch.mjs), and after how much it is ended if it could not.
 _LOOK = 0.2
-_MOST = 10.0
+_ASKED = 10.0
+_ENDED = 20.0
 
 # Linux makes the number of a process's clock from its own number and this one; see clock_getcpuclockid(3). There is
 # one where there is no /proc, too.
@@ -57,7 +58,7 @@ class _Child:
         self._path = path
         self._world = world
         self._clock = clock
-        self._first: Mapping[str, Any] = {"program": str(built.program), "most": _MOST}  # with the first message
+        self._first: Mapping[str, Any] = {"program": str(built.program), "most": _ASKED}  # with the first message
         self._data = bytearray()  # that was read, and not used yet
         self._child = _begin()
 
@@ -103,7 +104,7 @@ class _Child:
                 self._clock.give_up_if_overdue()
             elif used is None:
                 used = self._used()
-            elif self._used() - used > 2 * _MOST:
+            elif self._used() - used > _ENDED:
                 self._stand_still("")
         taken = bytes(self._data[:end])
         del self._data[:end]
